@@ -1,0 +1,43 @@
+# Flags that every target of the project shares.
+#
+# Exactness: -ffp-contract=off keeps a*b+c two roundings on every machine, so images are the same to the last bit.
+# -Wno-restrict: GCC 12 warns falsely about `"text" + std::to_string(n)` (GCC bug 105651).
+# Speed without changing a result: -fno-math-errno lets sqrt become one instruction, -fno-trapping-math lets
+# the compiler turn `condition ? a : b` into a select, which is what makes a loop vectorize.
+add_library(kreda_flags INTERFACE)
+target_compile_options(kreda_flags INTERFACE
+  -Wall -Wextra -Wshadow $<$<CXX_COMPILER_ID:GNU>:-Wno-restrict> -ffp-contract=off -fno-math-errno -fno-trapping-math)
+if(KREDA_WERROR)
+  target_compile_options(kreda_flags INTERFACE -Werror)
+endif()
+if(KREDA_MARCH)
+  target_compile_options(kreda_flags INTERFACE -march=${KREDA_MARCH})
+endif()
+if(KREDA_MULTIVERSION AND CMAKE_CXX_COMPILER_ID STREQUAL "GNU")
+  target_compile_definitions(kreda_flags INTERFACE KREDA_MULTIVERSION=1)
+endif()
+if(KREDA_SANITIZE)
+  target_compile_options(kreda_flags INTERFACE -fsanitize=address,undefined -fno-sanitize-recover=all -fno-omit-frame-pointer)
+  target_link_options(kreda_flags INTERFACE -fsanitize=address,undefined)
+endif()
+# Users of GLM see x, y, z in a debugger instead of three names for each component.
+target_compile_definitions(kreda_flags INTERFACE GLM_FORCE_XYZW_ONLY)
+target_include_directories(kreda_flags INTERFACE ${PROJECT_SOURCE_DIR})
+
+# A room is a folder of headers and sources that becomes one static library, kreda_<room>.
+function(kreda_room room)
+  file(GLOB sources CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/${room}/*.cpp)
+  if(sources)
+    add_library(kreda_${room} STATIC ${sources})
+    target_link_libraries(kreda_${room} PUBLIC kreda_flags ${ARGN})
+    if(OpenMP_CXX_FOUND)
+      target_link_libraries(kreda_${room} PUBLIC OpenMP::OpenMP_CXX)
+    else()
+      target_compile_options(kreda_${room} PRIVATE -Wno-unknown-pragmas)
+    endif()
+  else()
+    add_library(kreda_${room} INTERFACE)
+    list(FILTER ARGN EXCLUDE REGEX "^(PUBLIC|PRIVATE)$")
+    target_link_libraries(kreda_${room} INTERFACE kreda_flags ${ARGN})
+  endif()
+endfunction()

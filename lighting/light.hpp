@@ -1,0 +1,94 @@
+// Light sources as plain data, and what each of them sends to a point of a surface.
+#pragma once
+
+#include <cmath>
+
+#include <glm/geometric.hpp>
+#include <glm/trigonometric.hpp>
+#include <glm/vec3.hpp>
+
+#include "raster/scalar_math.hpp"
+
+namespace kreda::lighting {
+
+enum class LightType { directional, point, spot };
+
+/// Weakening with distance d:  1 / (constant + linear d + quadratic d^2).  "physical" is {0, 0, 1}.
+struct Attenuation {
+    float constant = 1.0f;
+    float linear = 0.0f;
+    float quadratic = 0.0f;
+};
+
+/// One light source. Which fields count depends on its type.
+struct Light {
+    LightType type = LightType::directional;
+    glm::vec3 direction{-1.0f, -2.0f, -1.0f};  ///< directional, spot: the way the light travels, world space, any length > 0
+    glm::vec3 position{2.0f, 3.0f, 1.0f};      ///< point, spot: world space
+    glm::vec3 color{1.0f};                     ///< s, linear RGB
+    float intensity = 1.0f;                    ///< multiplies color
+    Attenuation attenuation;                   ///< point, spot
+    float inner_cone_deg = 20.0f;              ///< spot: full light inside this half-angle
+    float outer_cone_deg = 30.0f;              ///< spot: no light outside this half-angle
+    bool shadow = false;
+    bool on = true;
+};
+
+/// What a light sends to one point of a surface.
+struct LightSample {
+    glm::vec3 l;           ///< unit, surface -> light, world space
+    glm::vec3 irradiance;  ///< s(p): color x intensity x attenuation x cone; what a plane facing the light receives
+};
+
+/// Attenuation at distance d >= 0.                                                    [1]
+inline float attenuate(const Attenuation& a, float d) {
+    return 1.0f / (a.constant + a.linear * d + a.quadratic * d * d);
+}
+
+/// Smooth step from 1 inside the inner cone to 0 outside the outer one: 3t^2 - 2t^3.   [0, 1]
+/// cos_angle is the cosine between the spot's axis and the ray to the surface; cos_inner >= cos_outer.
+inline float spot_cone(float cos_angle, float cos_inner, float cos_outer) {
+    const float width = cos_inner - cos_outer;
+    const float sharp = cos_angle >= cos_outer ? 1.0f : 0.0f;
+    const float t = width > 0.0f ? raster::saturate((cos_angle - cos_outer) / width) : sharp;
+    return t * t * (3.0f - 2.0f * t);
+}
+
+/// A light made ready for a frame: lengths and cosines that are the same for every point.
+struct LightSetup {
+    LightType type = LightType::directional;
+    glm::vec3 position{0.0f};  ///< world space
+    glm::vec3 axis{0.0f};      ///< unit, the way the light travels, world space
+    glm::vec3 radiance{1.0f};  ///< color x intensity
+    Attenuation attenuation;
+    float cos_inner = 1.0f, cos_outer = 0.0f;
+};
+
+[[nodiscard]] LightSetup prepare(const Light& light);
+
+/// A directional light shines from the same side everywhere, with the same strength.
+inline LightSample sample_directional(const LightSetup& light) {
+    return {-light.axis, light.radiance};
+}
+
+/// A point light shines to all sides from its position and weakens with distance. At the light itself (d = 0) there is no
+/// direction: l is 0 and nothing is lit.
+inline LightSample sample_point(const LightSetup& light, const glm::vec3& p) {
+    const glm::vec3 to_light = light.position - p;
+    const float d2 = glm::dot(to_light, to_light);
+    const float d = std::sqrt(d2 > 1e-30f ? d2 : 1e-30f);
+    const glm::vec3 l = to_light * (1.0f / d);
+    return {l, light.radiance * attenuate(light.attenuation, d)};
+}
+
+/// A spot light is a point light inside a cone around its axis.
+inline LightSample sample_spot(const LightSetup& light, const glm::vec3& p) {
+    const LightSample point = sample_point(light, p);
+    const float cos_angle = -glm::dot(point.l, light.axis);
+    return {point.l, point.irradiance * spot_cone(cos_angle, light.cos_inner, light.cos_outer)};
+}
+
+/// The light at one point p of a surface, whatever its type (world space).
+[[nodiscard]] LightSample sample(const Light& light, const glm::vec3& p);
+
+}  // namespace kreda::lighting

@@ -1,0 +1,187 @@
+#include "lighting/passes.hpp"
+
+#include "lighting/reflection.hpp"
+#include "raster/platform.hpp"
+
+namespace kreda::lighting {
+
+namespace {
+
+using raster::Channel3;
+using raster::Fragments;
+using raster::lanes_for;
+
+/// n = normal / |normal|,  v = (eye - p) / |eye - p|  (perspective) or the same everywhere (orthographic).
+KREDA_BATCH_LOOP void surface_directions(const Fragments& f, int lanes, const LightingSetup& setup,
+                                         LightingChannels& c) {
+    const glm::vec3 eye = setup.eye;
+    for (int i = 0; i < lanes; ++i) {
+        c.n.set(i, unit(f.normal.at(i)));
+        c.v.set(i, unit(eye - f.position.at(i)));
+    }
+}
+
+KREDA_BATCH_LOOP void same_view_everywhere(int lanes, const glm::vec3& to_viewer, LightingChannels& c) {
+    const glm::vec3 v = to_viewer;
+    for (int i = 0; i < lanes; ++i) c.v.set(i, v);
+}
+
+/// What is there without any light: s_A m_A + m_E, and nothing reflected yet.
+KREDA_BATCH_LOOP void start_terms(int lanes, const glm::vec3& ambient_and_emission, LightingChannels& c) {
+    const glm::vec3 base = ambient_and_emission;
+    for (int i = 0; i < lanes; ++i) {
+        c.ambient.set(i, base);
+        c.diffuse.set(i, glm::vec3(0.0f));
+        c.specular.set(i, glm::vec3(0.0f));
+    }
+}
+
+KREDA_BATCH_LOOP void sample_directional_light(int lanes, const LightSetup& setup, LightingChannels& c) {
+    const LightSetup light = setup;
+    for (int i = 0; i < lanes; ++i) {
+        const LightSample s = sample_directional(light);
+        c.l.set(i, s.l);
+        c.irradiance.set(i, s.irradiance);
+    }
+}
+
+KREDA_BATCH_LOOP void sample_point_light(const Fragments& f, int lanes, const LightSetup& setup, LightingChannels& c) {
+    const LightSetup light = setup;
+    for (int i = 0; i < lanes; ++i) {
+        const LightSample s = sample_point(light, f.position.at(i));
+        c.l.set(i, s.l);
+        c.irradiance.set(i, s.irradiance);
+    }
+}
+
+KREDA_BATCH_LOOP void sample_spot_light(const Fragments& f, int lanes, const LightSetup& setup, LightingChannels& c) {
+    const LightSetup light = setup;
+    for (int i = 0; i < lanes; ++i) {
+        const LightSample s = sample_spot(light, f.position.at(i));
+        c.l.set(i, s.l);
+        c.irradiance.set(i, s.irradiance);
+    }
+}
+
+/// Add one light's reflection at point i to the sums.
+inline void add_terms(LightingChannels& c, int i, const ReflectedTerms& terms) {
+    const glm::vec3 s = c.irradiance.at(i);
+    c.diffuse.set(i, c.diffuse.at(i) + s * terms.diffuse);
+    c.specular.set(i, c.specular.at(i) + s * terms.specular);
+}
+
+KREDA_BATCH_LOOP void add_lambert(int lanes, const PhongMaterial& material, LightingChannels& c) {
+    const PhongMaterial m = material;
+    for (int i = 0; i < lanes; ++i) add_terms(c, i, lambert(c.n.at(i), c.l.at(i), m));
+}
+
+KREDA_BATCH_LOOP void add_phong(int lanes, const PhongMaterial& material, LightingChannels& c) {
+    const PhongMaterial m = material;
+    for (int i = 0; i < lanes; ++i) add_terms(c, i, phong(c.n.at(i), c.l.at(i), c.v.at(i), m));
+}
+
+KREDA_BATCH_LOOP void add_blinn_phong(int lanes, const PhongMaterial& material, LightingChannels& c) {
+    const PhongMaterial m = material;
+    for (int i = 0; i < lanes; ++i) add_terms(c, i, blinn_phong(c.n.at(i), c.l.at(i), c.v.at(i), m));
+}
+
+KREDA_BATCH_LOOP void sum_terms(int lanes, LightingChannels& c) {
+    for (int i = 0; i < lanes; ++i) c.radiance.set(i, c.ambient.at(i) + c.diffuse.at(i) + c.specular.at(i));
+}
+
+void sample_light(const Fragments& f, int lanes, const LightSetup& light, LightingChannels& c) {
+    switch (light.type) {
+        case LightType::directional: return sample_directional_light(lanes, light, c);
+        case LightType::point: return sample_point_light(f, lanes, light, c);
+        case LightType::spot: return sample_spot_light(f, lanes, light, c);
+    }
+}
+
+void add_reflection(int lanes, const Material& material, LightingChannels& c) {
+    switch (material.model) {
+        case ReflectionModel::lambert: return add_lambert(lanes, material.phong, c);
+        case ReflectionModel::phong: return add_phong(lanes, material.phong, c);
+        case ReflectionModel::blinn_phong: return add_blinn_phong(lanes, material.phong, c);
+        default: KREDA_EXPECT(material.model == ReflectionModel::unlit);
+    }
+}
+
+template <class FogFormula>
+inline void fog_loop(const Fragments& f, int lanes, const LightingSetup& setup, LightingChannels& c,
+                     FogFormula formula) {
+    const glm::vec3 eye = setup.eye;
+    const glm::vec3 forward = setup.forward;
+    const bool planar = setup.fog.distance == FogDistance::planar;
+    for (int i = 0; i < lanes; ++i) {
+        const glm::vec3 p = f.position.at(i);
+        const float plane_z = planar_distance(p, eye, forward);
+        const float ray_z = radial_distance(p, eye);
+        c.fog.set(i, formula(planar ? plane_z : ray_z));
+    }
+}
+
+KREDA_BATCH_LOOP void linear_fog(const Fragments& f, int lanes, const LightingSetup& setup, LightingChannels& c) {
+    const float start = setup.fog.start;
+    const float end = setup.fog.end;
+    fog_loop(f, lanes, setup, c, [=](float z) { return fog_linear(z, start, end); });
+}
+
+KREDA_BATCH_LOOP void exp_fog(const Fragments& f, int lanes, const LightingSetup& setup, LightingChannels& c) {
+    const float density = setup.fog.density;
+    fog_loop(f, lanes, setup, c, [=](float z) { return fog_exp(z, density); });
+}
+
+KREDA_BATCH_LOOP void exp2_fog(const Fragments& f, int lanes, const LightingSetup& setup, LightingChannels& c) {
+    const float density = setup.fog.density;
+    fog_loop(f, lanes, setup, c, [=](float z) { return fog_exp2(z, density); });
+}
+
+KREDA_BATCH_LOOP void mix_with_fog(int lanes, const glm::vec3& fog_color, LightingChannels& c) {
+    const glm::vec3 c_f = fog_color;
+    for (int i = 0; i < lanes; ++i) c.radiance.set(i, mix_fog(c.fog.at(i), c.radiance.at(i), c_f));
+}
+
+}  // namespace
+
+void light_batch(const Fragments& fragments, const Material& material, const LightingSetup& setup,
+                 LightingChannels& channels) {
+    const int lanes = lanes_for(fragments.count);
+    const PhongMaterial& m = material.phong;
+    if (material.model == ReflectionModel::unlit) {
+        start_terms(lanes, m.diffuse + m.emission, channels);
+        return sum_terms(lanes, channels);
+    }
+    surface_directions(fragments, lanes, setup, channels);
+    if (setup.orthographic) same_view_everywhere(lanes, -setup.forward, channels);
+    start_terms(lanes, ambient_term(setup.ambient, m.ambient) + m.emission, channels);
+    for (const LightSetup& light : setup.lights) {
+        sample_light(fragments, lanes, light, channels);
+        add_reflection(lanes, material, channels);
+    }
+    sum_terms(lanes, channels);
+}
+
+void copy_color(const Fragments& fragments, LightingChannels& channels) {
+    const int lanes = lanes_for(fragments.count);
+    for (int i = 0; i < lanes; ++i) channels.radiance.set(i, fragments.color.at(i));
+}
+
+void fog_factors(const Fragments& fragments, const LightingSetup& setup, LightingChannels& channels) {
+    const int lanes = lanes_for(fragments.count);
+    switch (setup.fog.mode) {
+        case FogMode::none: return;
+        case FogMode::linear: return linear_fog(fragments, lanes, setup, channels);
+        case FogMode::exp: return exp_fog(fragments, lanes, setup, channels);
+        case FogMode::exp2: return exp2_fog(fragments, lanes, setup, channels);
+    }
+}
+
+void copy_fog(const Fragments& fragments, LightingChannels& channels) {
+    for (int i = 0; i < fragments.count; ++i) channels.fog.set(i, fragments.fog.at(i));
+}
+
+void apply_fog(int count, const glm::vec3& fog_color, LightingChannels& channels) {
+    mix_with_fog(lanes_for(count), fog_color, channels);
+}
+
+}  // namespace kreda::lighting

@@ -1,0 +1,92 @@
+// The empirical local models: Lambert, Phong with the mirror vector, Blinn-Phong with the half vector.
+// Sources: Strachota 2020, "Osvetlovani a stinovani", section 3; Sajko, "Lokalni modeli osvjetljenja".
+//
+// At a point of a surface all unit vectors point away from it: n the normal, l to the light, v to the viewer.
+//   I = s_A m_A + m_E + sum over lights  s (m_D (l.n) + m_S Sigma(l, n, v)^h)
+#pragma once
+
+#include <glm/geometric.hpp>
+#include <glm/vec3.hpp>
+
+#include "lighting/material.hpp"
+#include "raster/scalar_math.hpp"
+
+namespace kreda::lighting {
+
+/// What one light adds, before its colour: m_D (l.n) and m_S Sigma^h.
+struct ReflectedTerms {
+    glm::vec3 diffuse{0.0f};
+    glm::vec3 specular{0.0f};
+};
+
+/// max(a . b, 0)
+inline float positive_dot(const glm::vec3& a, const glm::vec3& b) {
+    const float cosine = glm::dot(a, b);
+    return cosine > 0.0f ? cosine : 0.0f;
+}
+
+/// v / |v|; a vector of length 0 stays 0.
+inline glm::vec3 unit(const glm::vec3& v) {
+    const float length2 = glm::dot(v, v);
+    const float safe = length2 > 1e-30f ? length2 : 1e-30f;
+    return v * (1.0f / std::sqrt(safe));
+}
+
+/// Ambient term   I_A = s_A (x) m_A, component by component.
+inline glm::vec3 ambient_term(const glm::vec3& s_A, const glm::vec3& m_A) {
+    return s_A * m_A;
+}
+
+/// Mirror image of l in the normal   r = 2 (n.l) n - l.   Unit if n and l are.
+inline glm::vec3 mirror_vector(const glm::vec3& n, const glm::vec3& l) {
+    return 2.0f * glm::dot(n, l) * n - l;
+}
+
+/// Half vector   h = (l + v) / |l + v|.   l = -v has none: the result is 0.
+inline glm::vec3 half_vector(const glm::vec3& l, const glm::vec3& v) {
+    return unit(l + v);
+}
+
+/// Phong's measure of reflection   Sigma = max(v.r, 0) = max(cos rho, 0)                  Phong 1975
+inline float sigma_phong(const glm::vec3& n, const glm::vec3& l, const glm::vec3& v) {
+    return positive_dot(v, mirror_vector(n, l));
+}
+
+/// Blinn's measure of reflection   Sigma = max(n.h, 0) = max(cos theta, 0)                Blinn 1977
+inline float sigma_blinn(const glm::vec3& n, const glm::vec3& l, const glm::vec3& v) {
+    return positive_dot(n, half_vector(l, v));
+}
+
+/// The exponent that gives Blinn's highlight the width of Phong's. theta is half of rho where n, l, v lie in one plane, and
+/// cos^h rho = cos^h' (rho / 2) makes h' / h tend to 4. True near normal incidence only.    Fisher & Woo 1994
+inline float blinn_exponent_matching_phong(float shininess) {
+    return 4.0f * shininess;
+}
+
+/// Lambert's law   m_D max(l.n, 0)
+inline ReflectedTerms lambert(const glm::vec3& n, const glm::vec3& l, const PhongMaterial& m) {
+    return {m.diffuse * positive_dot(n, l), glm::vec3(0.0f)};
+}
+
+/// A surface that faces away from the light reflects nothing of it: 1 where n.l > 0, else 0.
+inline float faces_light(const glm::vec3& n, const glm::vec3& l) {
+    return glm::dot(n, l) > 0.0f ? 1.0f : 0.0f;
+}
+
+/// Phong's model of one light, mirror vector:   m_D (l.n),   m_S (v.r)^h
+inline ReflectedTerms phong(const glm::vec3& n, const glm::vec3& l, const glm::vec3& v, const PhongMaterial& m) {
+    const float n_dot_l = positive_dot(n, l);
+    const float sigma = sigma_phong(n, l, v);
+    const float highlight = raster::pow(sigma, m.shininess) * faces_light(n, l);
+    return {m.diffuse * n_dot_l, m.specular * highlight};
+}
+
+/// Blinn-Phong model of one light, half vector:   m_D (l.n),   m_S (n.h)^h
+inline ReflectedTerms blinn_phong(const glm::vec3& n, const glm::vec3& l, const glm::vec3& v, const PhongMaterial& m) {
+    const float n_dot_l = positive_dot(n, l);
+    const float sigma = sigma_blinn(n, l, v);
+    const float highlight = raster::pow(sigma, m.shininess) * faces_light(n, l);
+    return {m.diffuse * n_dot_l, m.specular * highlight};
+}
+
+}  // namespace kreda::lighting

@@ -1,0 +1,35 @@
+// The camera: world -> view -> clip -> window, as matrices that read by cancelling neighbours.
+#pragma once
+
+#include <glm/mat4x4.hpp>
+#include <glm/vec3.hpp>
+
+namespace kreda::raster {
+
+enum class Projection { perspective, orthographic };
+
+/// Right-handed, looks down -z of its own view space, +y up. Clip space is OpenGL's: -w <= x, y, z <= w.
+struct Camera {
+    glm::vec3 position{0.0f, 1.0f, 4.0f};  ///< world space
+    glm::vec3 target{0.0f};                ///< world space, not equal to position
+    glm::vec3 up{0.0f, 1.0f, 0.0f};        ///< world space, not parallel to target - position
+    Projection projection = Projection::perspective;
+    float vertical_fov_deg = 45.0f;  ///< perspective: full angle from bottom to top, in (0, 180)
+    float height = 2.0f;             ///< orthographic: world units from bottom to top
+    float near = 0.1f;               ///< distance of the near plane, > 0
+    float far = 100.0f;              ///< distance of the far plane, > near
+};
+
+/// view_from_world: a rotation and a translation (gluLookAt).
+[[nodiscard]] glm::mat4 view_from_world(const Camera& camera);
+
+/// clip_from_view for an image of the given aspect = width / height (gluPerspective, glOrtho).
+[[nodiscard]] glm::mat4 clip_from_view(const Camera& camera, float aspect);
+
+/// The product of the two: clip_from_view * view_from_world.
+[[nodiscard]] glm::mat4 clip_from_world(const Camera& camera, float aspect);
+
+/// Unit vector from the camera into the scene, world space.
+[[nodiscard]] glm::vec3 view_direction(const Camera& camera);
+
+}  // namespace kreda::raster

@@ -1,0 +1,50 @@
+// Depth across a triangle: z/w is affine on the screen, so two slopes say everything.
+#pragma once
+
+#include <algorithm>
+#include <cstdint>
+
+#include "raster/screen.hpp"
+
+namespace kreda::raster {
+
+/// The plane of window depth over a triangle, anchored at its first vertex so that nothing drifts along a row.
+struct DepthPlane {
+    std::int32_t x0 = 0, y0 = 0;              ///< the anchor, 1/256 sample
+    float z0 = 0.0f;                          ///< depth at the anchor
+    float dz_dx = 0.0f, dz_dy = 0.0f;         ///< change per sample to the right, and down
+    float z_min = 0.0f, z_max = 0.0f;         ///< of the three vertices: slivers must not shoot out of their own range
+};
+
+/// Depth plane of a triangle with positive area2 = edge_function(a, b, c). Slopes in double, rounded once.
+inline DepthPlane depth_plane(const ScreenVertex& a, const ScreenVertex& b, const ScreenVertex& c,
+                              std::int64_t area2) {
+    const double ab_x = b.x - a.x, ab_y = b.y - a.y, ab_z = double{b.z} - double{a.z};
+    const double ac_x = c.x - a.x, ac_y = c.y - a.y, ac_z = double{c.z} - double{a.z};
+    const double scale = kSubpixels / static_cast<double>(area2);
+    DepthPlane plane;
+    plane.x0 = a.x;
+    plane.y0 = a.y;
+    plane.z0 = a.z;
+    plane.dz_dx = static_cast<float>((ab_z * ac_y - ac_z * ab_y) * scale);
+    plane.dz_dy = static_cast<float>((ac_z * ab_x - ab_z * ac_x) * scale);
+    plane.z_min = std::min({a.z, b.z, c.z});
+    plane.z_max = std::max({a.z, b.z, c.z});
+    return plane;
+}
+
+/// The part of the depth that one row of samples shares: z0 + dz/dy (y - y0), at the centre of row y.
+inline float depth_of_row(const DepthPlane& plane, std::int32_t y) {
+    const float d_y = static_cast<float>(y * kSubpixels + kPixelCentre - plane.y0) * (1.0f / kSubpixels);
+    return plane.z0 + plane.dz_dy * d_y;
+}
+
+/// Depth at the centre of sample x of a row.
+inline float depth_at(const DepthPlane& plane, float row_depth, std::int32_t x) {
+    const float d_x = static_cast<float>(x * kSubpixels + kPixelCentre - plane.x0) * (1.0f / kSubpixels);
+    const float z = row_depth + plane.dz_dx * d_x;
+    const float not_nearer = z < plane.z_min ? plane.z_min : z;
+    return not_nearer > plane.z_max ? plane.z_max : not_nearer;
+}
+
+}  // namespace kreda::raster

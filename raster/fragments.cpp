@@ -1,0 +1,148 @@
+#include "raster/fragments.hpp"
+
+#include "raster/platform.hpp"
+
+namespace kreda::raster {
+
+namespace {
+
+/// Everything that the samples of a run share: the exact edge functions along the row and 1/w of the corners.
+/// Edge i lies opposite to corner i, so E_i is the weight of corner i.
+struct RunWeights {
+    double start[3];   ///< E_i at the run's first sample, an exact integer
+    double step[3];    ///< change of E_i to the next sample, an exact integer
+    float scale[3];    ///< 1 / (area2 w_i): turns E_i into q_i
+};
+
+RunWeights run_weights(const ScreenVertex* const corner[3], std::int64_t p_x, std::int64_t p_y,
+                       AttributeInterpolation interpolation) {
+    RunWeights weights;
+    double area2 = 0.0;
+    for (int i = 0; i < 3; ++i) {
+        const ScreenVertex& a = *corner[(i + 1) % 3];
+        const ScreenVertex& b = *corner[(i + 2) % 3];
+        weights.start[i] = static_cast<double>(edge_function(a.x, a.y, b.x, b.y, p_x, p_y));
+        weights.step[i] = static_cast<double>(std::int64_t{a.y - b.y} * kSubpixels);
+        area2 += weights.start[i];
+    }
+    const float inv_area2 = static_cast<float>(1.0 / area2);
+    for (int i = 0; i < 3; ++i) {
+        weights.scale[i] = interpolation == AttributeInterpolation::perspective ? inv_area2 * corner[i]->inv_w : inv_area2;
+    }
+    return weights;
+}
+
+/// Weights of the three corners at sample i of a run; they sum to 1.
+inline glm::vec3 corner_weights(const RunWeights& w, int i) {
+    const double k = i;
+    const float q0 = static_cast<float>(w.start[0] + w.step[0] * k) * w.scale[0];
+    const float q1 = static_cast<float>(w.start[1] + w.step[1] * k) * w.scale[1];
+    const float q2 = static_cast<float>(w.start[2] + w.step[2] * k) * w.scale[2];
+    const float inv_sum = 1.0f / (q0 + q1 + q2);
+    return {q0 * inv_sum, q1 * inv_sum, q2 * inv_sum};
+}
+
+/// Corner weights of the samples of a run.
+struct WeightRow {
+    alignas(64) float b0[kTileSide];
+    alignas(64) float b1[kTileSide];
+    alignas(64) float b2[kTileSide];
+};
+
+inline void fill_weights(const RunWeights& w, int lanes, WeightRow& row) {
+    for (int i = 0; i < lanes; ++i) {
+        const glm::vec3 b = corner_weights(w, i);
+        row.b0[i] = b.x;
+        row.b1[i] = b.y;
+        row.b2[i] = b.z;
+    }
+}
+
+/// One component of an attribute along a run: a = b_0 a_0 + b_1 a_1 + b_2 a_2.
+inline void blend(const WeightRow& b, int lanes, float a0, float a1, float a2, float* __restrict out) {
+    for (int i = 0; i < lanes; ++i) out[i] = b.b0[i] * a0 + b.b1[i] * a1 + b.b2[i] * a2;
+}
+
+inline void blend3(const WeightRow& b, int lanes, const glm::vec3* stream, const std::array<std::uint32_t, 3>& vertex,
+                   Channel3& out, int first) {
+    const glm::vec3 a0 = stream[vertex[0]];
+    const glm::vec3 a1 = stream[vertex[1]];
+    const glm::vec3 a2 = stream[vertex[2]];
+    blend(b, lanes, a0.x, a1.x, a2.x, out.x + first);
+    blend(b, lanes, a0.y, a1.y, a2.y, out.y + first);
+    blend(b, lanes, a0.z, a1.z, a2.z, out.z + first);
+}
+
+/// The streams as bare arrays; null: the plan does not ask for this attribute.
+struct Attributes {
+    const ScreenVertex* screen;
+    const glm::vec3* position;
+    const glm::vec3* normal;
+    const glm::vec3* color;
+    const glm::vec2* uv;
+    const float* fog;
+};
+
+inline void interpolate_run(const Attributes& in, const ScreenTriangle& triangle, const Run& run, const TileArea& area,
+                            AttributeInterpolation interpolation, Fragments& out, int first) {
+    const std::array<std::uint32_t, 3> v = triangle.vertex;
+    const ScreenVertex* const corner[3] = {&in.screen[v[0]], &in.screen[v[1]], &in.screen[v[2]]};
+    const std::int64_t p_x = (area.x + run.x) * kSubpixels + kPixelCentre;
+    const std::int64_t p_y = (area.y + run.y) * kSubpixels + kPixelCentre;
+    const int lanes = lanes_for(run.count);
+    WeightRow b;
+    fill_weights(run_weights(corner, p_x, p_y, interpolation), lanes, b);
+    if (in.position) blend3(b, lanes, in.position, v, out.position, first);
+    if (in.normal) blend3(b, lanes, in.normal, v, out.normal, first);
+    if (in.color) blend3(b, lanes, in.color, v, out.color, first);
+    if (in.uv) {
+        blend(b, lanes, in.uv[v[0]].x, in.uv[v[1]].x, in.uv[v[2]].x, out.u.value + first);
+        blend(b, lanes, in.uv[v[0]].y, in.uv[v[1]].y, in.uv[v[2]].y, out.v.value + first);
+    }
+    if (in.fog) blend(b, lanes, in.fog[v[0]], in.fog[v[1]], in.fog[v[2]], out.fog.value + first);
+}
+
+KREDA_BATCH_LOOP void interpolate_all(const Attributes& in, const TriangleSet& set, const TileArea& area,
+                                      const Run* runs, int run_count, AttributeInterpolation interpolation,
+                                      Fragments& out) {
+    int first = 0;
+    for (int r = 0; r < run_count; ++r) {
+        interpolate_run(in, set.triangle(runs[r].triangle), runs[r], area, interpolation, out, first);
+        first += runs[r].count;
+    }
+    out.count = first;
+}
+
+}  // namespace
+
+int find_runs(const TileVisibility& tile, const TileArea& area, const TriangleSet& set, Run* runs) {
+    int found = 0;
+    for (int y = 0; y < area.height; ++y) {
+        const std::uint32_t* row = &tile.triangle[y * kTileSide];
+        for (int x = 0; x < area.width;) {
+            const std::uint32_t id = row[x];
+            int end = x + 1;
+            while (end < area.width && row[end] == id) ++end;
+            if (id != kNoTriangle) {
+                runs[found++] = {static_cast<std::uint16_t>(x), static_cast<std::uint16_t>(y),
+                                 static_cast<std::uint16_t>(end - x), set.triangle(id).material, id};
+            }
+            x = end;
+        }
+    }
+    return found;
+}
+
+void interpolate_runs(const VertexStreams& streams, const TriangleSet& set, const TileArea& area, const Run* runs,
+                      int run_count, const FragmentNeeds& needs, AttributeInterpolation interpolation,
+                      Fragments& fragments) {
+    const Attributes attributes{streams.screen.data(),
+                                needs.position ? streams.position_world.data() : nullptr,
+                                needs.normal ? streams.normal_world.data() : nullptr,
+                                needs.color ? streams.color.data() : nullptr,
+                                needs.uv ? streams.uv.data() : nullptr,
+                                needs.fog ? streams.fog.data() : nullptr};
+    interpolate_all(attributes, set, area, runs, run_count, interpolation, fragments);
+}
+
+}  // namespace kreda::raster

@@ -1,0 +1,96 @@
+// Fragments: the visible samples of one tile that share a material, as a structure of arrays.
+#pragma once
+
+#include <cstdint>
+
+#include <glm/vec2.hpp>
+#include <glm/vec3.hpp>
+
+#include "raster/rasterize_tile.hpp"
+
+namespace kreda::raster {
+
+/// How many points are shaded together at most: their channels together stay in the first two caches.
+inline constexpr int kBatchCapacity = 1024;
+
+/// Loops over a batch run up to the next multiple of this: whole vector registers, no rest. What lies behind the
+/// last fragment is computed and never looked at. When stepping in a debugger there is nothing behind it.
+#if defined(KREDA_MULTIVERSION)
+inline constexpr int kBatchLanes = 16;
+#else
+inline constexpr int kBatchLanes = 1;
+#endif
+
+/// Number of lanes a loop over `count` fragments runs.
+inline int lanes_for(int count) {
+    return (count + kBatchLanes - 1) / kBatchLanes * kBatchLanes;
+}
+
+/// A run may write a few lanes beyond the batch's end before the next batch starts.
+inline constexpr int kChannelSize = kBatchCapacity + kTileSide;
+
+/// One number for each point of a batch.
+struct Channel {
+    alignas(64) float value[kChannelSize];
+
+    [[nodiscard]] float at(int i) const { return value[i]; }
+    void set(int i, float v) { value[i] = v; }
+};
+
+/// Three numbers for each point: a vector or a colour.
+struct Channel3 {
+    alignas(64) float x[kChannelSize];
+    alignas(64) float y[kChannelSize];
+    alignas(64) float z[kChannelSize];
+
+    [[nodiscard]] glm::vec3 at(int i) const { return {x[i], y[i], z[i]}; }
+    void set(int i, const glm::vec3& v) {
+        x[i] = v.x;
+        y[i] = v.y;
+        z[i] = v.z;
+    }
+};
+
+/// Neighbouring samples of a row that see the same triangle.
+struct Run {
+    std::uint16_t x = 0, y = 0;  ///< first sample, within the tile
+    std::uint16_t count = 0;
+    std::uint32_t material = 0;
+    std::uint32_t triangle = 0;  ///< triangle_id()
+};
+
+/// Attributes of the points of a batch, interpolated. Those that the plan does not ask for hold nothing.
+struct Fragments {
+    int count = 0;
+    Channel3 position;  ///< world space
+    Channel3 normal;    ///< world space, as interpolated: not normalized
+    Channel3 color;     ///< lit at the vertices (Gouraud) or once a triangle (flat)
+    Channel fog;        ///< fog factor of the vertices
+    Channel u, v;       ///< texture coordinates
+};
+
+/// Which attributes the shading of the batch reads.
+struct FragmentNeeds {
+    bool position = false;
+    bool normal = false;
+    bool color = false;
+    bool uv = false;
+    bool fog = false;
+
+    [[nodiscard]] bool any() const { return position || normal || color || uv || fog; }
+};
+
+enum class AttributeInterpolation { perspective, affine };
+
+/// Find the runs of a tile, row by row from the top, left to right. `runs` has room for one a sample. Returns their number.
+int find_runs(const TileVisibility& tile, const TileArea& area, const TriangleSet& set, Run* runs);
+
+/// Interpolate the attributes asked for over `run_count` runs, one behind the other, into the batch.
+///   lambda_i = E_i / (E_0 + E_1 + E_2)      q_i = lambda_i / w_i      a = sum q_i a_i / sum q_i       Heckbert & Moreton 1991
+/// E_i are the exact integers (in double they stay exact up to 2^53); `affine` leaves out 1/w, to show why not.
+/// The runs hold at most kBatchCapacity samples together.
+void interpolate_runs(const VertexStreams& streams, const TriangleSet& set, const TileArea& area, const Run* runs,
+                      int run_count, const FragmentNeeds& needs, AttributeInterpolation interpolation,
+                      Fragments& fragments);
+
+}  // namespace kreda::raster

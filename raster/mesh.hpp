@@ -1,0 +1,32 @@
+// A triangle mesh as plain data: shared vertices, three indices a triangle, parts with a name and a material.
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include <glm/vec2.hpp>
+#include <glm/vec3.hpp>
+
+namespace kreda::raster {
+
+/// A run of triangles with one name and one material: an OBJ group or object, split where the material changes.
+struct MeshPart {
+    std::string name;
+    std::uint32_t first_triangle = 0;
+    std::uint32_t triangle_count = 0;
+    int material = -1;  ///< index into the materials that came with the mesh file, -1: none
+};
+
+/// Triangles are counter-clockwise seen from outside. Every attribute array that is not empty has one entry a vertex.
+struct Mesh {
+    std::vector<glm::vec3> positions;    ///< object space
+    std::vector<glm::vec3> normals;      ///< object space, unit
+    std::vector<glm::vec2> uvs;          ///< (0,0) lower left of the texture; empty: the mesh has none
+    std::vector<std::uint32_t> indices;  ///< three a triangle, each < positions.size()
+    std::vector<MeshPart> parts;         ///< cover all triangles, in order
+
+    [[nodiscard]] std::uint32_t triangle_count() const { return static_cast<std::uint32_t>(indices.size() / 3); }
+};
+
+}  // namespace kreda::raster

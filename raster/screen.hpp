@@ -1,0 +1,82 @@
+// From clip space to the pixel grid: the perspective divide, the snap to 1/256 pixel, exact edge functions.
+#pragma once
+
+#include <cstdint>
+
+#include <glm/vec2.hpp>
+#include <glm/vec4.hpp>
+
+#include "raster/scalar_math.hpp"
+
+namespace kreda::raster {
+
+/// Positions on the screen are integers in units of 1/256 pixel: then "is the point left of this edge?" has an
+/// exact answer, closed surfaces have no cracks, and no pixel is drawn twice along a shared edge.
+inline constexpr int kSubpixelBits = 8;
+inline constexpr int kSubpixels = 1 << kSubpixelBits;
+inline constexpr int kPixelCentre = kSubpixels / 2;
+
+/// Largest image, in samples a side.
+inline constexpr int kMaxImageSide = 16384;
+
+/// Triangles are clipped only where they leave this many samples around the image's centre (the guard band): what
+/// sticks out less is cut off by the bounding box for free. 2^14 keeps every edge step below 2^23, see rasterize_tile.cpp.
+inline constexpr float kGuardBand = 16384.0f - 1.0f;
+
+/// Size of the sample grid: pixels, or n x n times as many with supersampling. Row 0 is the top row.
+struct Viewport {
+    int width = 0;
+    int height = 0;
+};
+
+/// A vertex after the perspective divide. x to the right, y DOWN, both in 1/256 sample; the centre of the first
+/// sample is (128, 128). z in [0, 1], 0 at the near plane. inv_w = 1/w > 0.
+struct ScreenVertex {
+    std::int32_t x = 0;
+    std::int32_t y = 0;
+    float z = 0.0f;
+    float inv_w = 0.0f;
+};
+
+/// x of a vertex that has no place on the screen: its triangles go through the clipper.
+inline constexpr std::int32_t kNeedsClip = INT32_MIN;
+
+/// Is a clip-space position inside the near and far planes and the guard band? False for NaN.
+inline bool inside_guard_band(const glm::vec4& clip, float guard_x, float guard_y) {
+    const bool in_depth = (clip.z >= -clip.w) & (clip.z <= clip.w) & (clip.w > 0.0f);
+    const bool in_x = (clip.x >= -guard_x * clip.w) & (clip.x <= guard_x * clip.w);
+    const bool in_y = (clip.y >= -guard_y * clip.w) & (clip.y <= guard_y * clip.w);
+    return in_depth & in_x & in_y;
+}
+
+/// How far the guard band reaches in normalized device coordinates, for half an image of this many samples.
+inline float guard_band_ndc(int image_side) {
+    return kGuardBand / (0.5f * static_cast<float>(image_side));
+}
+
+/// Perspective divide, viewport and snap: clip -> screen. Requires inside_guard_band().
+///   x_window = (x/w + 1) width/2     y_window = (1 - y/w) height/2     z_window = (z/w + 1)/2
+inline ScreenVertex to_screen(const glm::vec4& clip, const Viewport& viewport) {
+    const float inv_w = 1.0f / clip.w;
+    const float half_width = 0.5f * static_cast<float>(viewport.width);
+    const float half_height = 0.5f * static_cast<float>(viewport.height);
+    const float x_window = clip.x * inv_w * half_width + half_width;
+    const float y_window = half_height - clip.y * inv_w * half_height;
+    const float z_window = clip.z * inv_w * 0.5f + 0.5f;
+    return {round_half_up_to_int(x_window * kSubpixels), round_half_up_to_int(y_window * kSubpixels), z_window, inv_w};
+}
+
+/// Twice the signed area of the triangle a, b, p:  E = (b_x - a_x)(p_y - a_y) - (b_y - a_y)(p_x - a_x).
+/// Exact. With y down, E > 0 means: going from a to b, p lies to the right.                  Pineda 1988
+inline std::int64_t edge_function(std::int64_t a_x, std::int64_t a_y, std::int64_t b_x, std::int64_t b_y,
+                                  std::int64_t p_x, std::int64_t p_y) {
+    return (b_x - a_x) * (p_y - a_y) - (b_y - a_y) * (p_x - a_x);
+}
+
+/// A pixel centre exactly on an edge belongs to the triangle only if the edge is a top edge (horizontal, the
+/// triangle below it) or a left edge. Edge direction b - a, triangle to the right of it, y down.
+inline bool is_top_left(std::int64_t d_x, std::int64_t d_y) {
+    return d_y < 0 || (d_y == 0 && d_x > 0);
+}
+
+}  // namespace kreda::raster

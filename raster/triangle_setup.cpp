@@ -1,0 +1,276 @@
+#include "raster/triangle_setup.hpp"
+
+#include <algorithm>
+
+#include "raster/clip.hpp"
+#include "raster/platform.hpp"
+#include "raster/scalar_math.hpp"
+
+namespace kreda::raster {
+
+namespace {
+
+/// A triangle that waits for the clipper: its place among the chunk's triangles and its corners in clip space.
+struct PendingClip {
+    std::uint32_t place = 0;  ///< index in the chunk before which its pieces are drawn
+    ScreenTriangle triangle;
+    ClipPolygon polygon;
+};
+
+/// What setting up one chunk needs to know.
+struct ChunkTask {
+    std::uint32_t instance = 0;
+    std::uint32_t part = 0;
+    std::uint32_t first_triangle = 0;   ///< in the mesh
+    std::uint32_t triangle_count = 0;
+    std::uint32_t first_source = 0;     ///< number of the instance's first triangle over all instances
+};
+
+struct Frame {
+    glm::mat4 clip_from_world;
+    Viewport viewport;
+    CullMode cull;
+};
+
+enum class Fate { drawn, culled, outside, degenerate };
+
+/// Orient a triangle clockwise (y down) and decide what becomes of it. The sign of the snapped area decides.
+Fate classify(const VertexStreams& streams, const Frame& frame, ScreenTriangle& triangle) {
+    const ScreenVertex& a = streams.screen[triangle.vertex[0]];
+    const ScreenVertex& b = streams.screen[triangle.vertex[1]];
+    const ScreenVertex& c = streams.screen[triangle.vertex[2]];
+    const std::int64_t area = edge_function(a.x, a.y, b.x, b.y, c.x, c.y);
+    if (area == 0) return Fate::degenerate;
+    const bool front = area < 0;  // counter-clockwise with y up is clockwise with y down
+    if (front ? frame.cull == CullMode::front : frame.cull == CullMode::back) return Fate::culled;
+    if (front) std::swap(triangle.vertex[1], triangle.vertex[2]);
+    return Fate::drawn;
+}
+
+/// First and last sample whose centre lies in [min, max] (1/256 sample), inside an image of `side` samples.
+struct SampleRange { std::int32_t first, last; };
+SampleRange samples_between(std::int32_t min, std::int32_t max, int side) {
+    const std::int32_t first = (min + kPixelCentre - 1) >> kSubpixelBits;
+    const std::int32_t last = (max - kPixelCentre) >> kSubpixelBits;
+    return {std::max(first, 0), std::min(last, side - 1)};
+}
+
+/// Append a triangle to the chunk with the tiles that its bounding box touches, unless no sample centre lies in the box.
+bool append_triangle(const VertexStreams& streams, const Viewport& viewport, int tile_side,
+                     const ScreenTriangle& triangle, TriangleChunk& chunk) {
+    const ScreenVertex& a = streams.screen[triangle.vertex[0]];
+    const ScreenVertex& b = streams.screen[triangle.vertex[1]];
+    const ScreenVertex& c = streams.screen[triangle.vertex[2]];
+    const SampleRange x = samples_between(std::min({a.x, b.x, c.x}), std::max({a.x, b.x, c.x}), viewport.width);
+    const SampleRange y = samples_between(std::min({a.y, b.y, c.y}), std::max({a.y, b.y, c.y}), viewport.height);
+    if (x.first > x.last || y.first > y.last) return false;
+    chunk.triangles.push_back(triangle);
+    const auto tile = [tile_side](std::int32_t sample) { return static_cast<std::uint16_t>(sample / tile_side); };
+    chunk.tile_range.push_back({tile(x.first), tile(y.first), tile(x.last), tile(y.last)});
+    return true;
+}
+
+/// Put the triangle, or count why not.
+void draw_or_count(const VertexStreams& streams, const Frame& frame, int tile_side, ScreenTriangle triangle,
+                   TriangleChunk& chunk) {
+    switch (classify(streams, frame, triangle)) {
+        case Fate::culled: ++chunk.counts.culled; return;
+        case Fate::degenerate: ++chunk.counts.degenerate; return;
+        case Fate::outside: ++chunk.counts.outside; return;
+        case Fate::drawn: break;
+    }
+    if (append_triangle(streams, frame.viewport, tile_side, triangle, chunk)) {
+        ++chunk.counts.drawn;
+    } else {
+        ++chunk.counts.outside;
+    }
+}
+
+/// The three corners of a triangle in clip space, computed again: only triangles for the clipper need them.
+ClipPolygon clip_again(const MeshInstance& instance, const Frame& frame, const std::uint32_t* corner, bool& finite) {
+    const glm::mat4 clip_from_object = frame.clip_from_world * instance.world_from_object;
+    std::array<glm::vec4, 3> clip;
+    finite = true;
+    for (int i = 0; i < 3; ++i) {
+        clip[i] = clip_from_object * glm::vec4(instance.mesh->positions[corner[i]], 1.0f);
+        finite = finite && is_finite(clip[i].x) && is_finite(clip[i].y) && is_finite(clip[i].z) && is_finite(clip[i].w);
+    }
+    return clip_triangle(clip[0], clip[1], clip[2], guard_band_ndc(frame.viewport.width),
+                         guard_band_ndc(frame.viewport.height));
+}
+
+/// Set up the triangles of one chunk that need no clipping; the others are put aside in `pending`.
+void setup_chunk(const ChunkTask& task, const MeshInstance& instance, const Frame& frame, int tile_side, const VertexStreams& streams,
+                 TriangleChunk& chunk, std::vector<PendingClip>& pending) {
+    chunk.instance = task.instance;
+    chunk.first_source = task.first_source;
+    const std::uint32_t* index = &instance.mesh->indices[3 * std::size_t{task.first_triangle}];
+    for (std::uint32_t i = 0; i < task.triangle_count; ++i, index += 3) {
+        ScreenTriangle triangle;
+        triangle.source = task.first_source + task.first_triangle + i;
+        triangle.material = instance.part_material[task.part];
+        bool needs_clip = false;
+        for (int corner = 0; corner < 3; ++corner) {
+            triangle.vertex[corner] = instance.first_vertex + index[corner];
+            needs_clip |= streams.screen[triangle.vertex[corner]].x == kNeedsClip;
+        }
+        ++chunk.counts.input;
+        if (!needs_clip) {
+            draw_or_count(streams, frame, tile_side, triangle, chunk);
+            continue;
+        }
+        bool finite = true;
+        const ClipPolygon polygon = clip_again(instance, frame, index, finite);
+        if (!finite) {
+            ++chunk.counts.non_finite;
+        } else if (polygon.count == 0) {
+            ++chunk.counts.outside;
+        } else {
+            pending.push_back({static_cast<std::uint32_t>(chunk.triangles.size()), triangle, polygon});
+        }
+    }
+}
+
+/// Weighted sum of an attribute at a triangle's corners, appended to its stream if that is in use.
+template <class Attribute>
+void append_weighted(std::vector<Attribute>& stream, const std::array<std::uint32_t, 3>& corner,
+                     const glm::vec3& weights) {
+    if (stream.empty()) return;
+    const Attribute value = weights.x * stream[corner[0]] + weights.y * stream[corner[1]] +
+                            weights.z * stream[corner[2]];
+    stream.push_back(value);
+}
+
+/// A new vertex of the clipper: its place on the screen and its attributes. Returns its number.
+std::uint32_t append_vertex(const ClipVertex& vertex, const std::array<std::uint32_t, 3>& corner,
+                            const Viewport& viewport, VertexStreams& streams) {
+    streams.screen.push_back(to_screen(vertex.position, viewport));
+    append_weighted(streams.position_world, corner, vertex.weights);
+    append_weighted(streams.normal_world, corner, vertex.weights);
+    append_weighted(streams.uv, corner, vertex.weights);
+    append_weighted(streams.color, corner, vertex.weights);
+    append_weighted(streams.fog, corner, vertex.weights);
+    return static_cast<std::uint32_t>(streams.screen.size() - 1);
+}
+
+/// Draw the clipped triangles of a chunk as fans, each at its place in the drawing order.
+void draw_clipped(const std::vector<PendingClip>& pending, const Frame& frame, int tile_side, VertexStreams& streams,
+                  TriangleChunk& chunk) {
+    TriangleChunk merged;
+    merged.counts = chunk.counts;
+    merged.instance = chunk.instance;
+    merged.first_source = chunk.first_source;
+    std::uint32_t copied = 0;
+    const auto copy_until = [&](std::uint32_t place) {
+        for (; copied < place; ++copied) {
+            merged.triangles.push_back(chunk.triangles[copied]);
+            merged.tile_range.push_back(chunk.tile_range[copied]);
+        }
+    };
+    for (const PendingClip& clip : pending) {
+        copy_until(clip.place);
+        ++merged.counts.clipped;
+        const std::uint32_t first = append_vertex(clip.polygon.vertex[0], clip.triangle.vertex, frame.viewport, streams);
+        std::uint32_t last = append_vertex(clip.polygon.vertex[1], clip.triangle.vertex, frame.viewport, streams);
+        for (int i = 2; i < clip.polygon.count; ++i) {
+            const std::uint32_t next =
+                append_vertex(clip.polygon.vertex[i], clip.triangle.vertex, frame.viewport, streams);
+            ScreenTriangle piece = clip.triangle;
+            piece.vertex = {first, last, next};
+            draw_or_count(streams, frame, tile_side, piece, merged);
+            last = next;
+        }
+    }
+    copy_until(static_cast<std::uint32_t>(chunk.triangles.size()));
+    chunk = std::move(merged);
+}
+
+/// Sort the chunk's triangles into tiles: count, then fill. The order within a tile stays the drawing order.
+void bin_chunk(const TileGrid& grid, TriangleChunk& chunk) {
+    const auto for_each_tile = [&](auto&& visit) {
+        for (std::size_t t = 0; t < chunk.tile_range.size(); ++t) {
+            const TriangleChunk::TileRange range = chunk.tile_range[t];
+            for (int y = range.y0; y <= range.y1; ++y) {
+                for (int x = range.x0; x <= range.x1; ++x) visit(y * grid.columns + x, t);
+            }
+        }
+    };
+    std::vector<std::uint32_t>& begin = chunk.tile_begin;
+    begin.assign(static_cast<std::size_t>(grid.columns) * grid.rows + 1, 0);
+    for_each_tile([&](int tile, std::size_t) { ++begin[tile + 1]; });
+    for (std::size_t tile = 1; tile < begin.size(); ++tile) begin[tile] += begin[tile - 1];
+    chunk.tile_entries.resize(begin.back());
+    // While filling, begin[t] runs to the end of tile t; shifting by one tile afterwards restores the beginnings.
+    for_each_tile([&](int tile, std::size_t t) { chunk.tile_entries[begin[tile]++] = static_cast<std::uint16_t>(t); });
+    for (std::size_t tile = begin.size() - 1; tile > 0; --tile) begin[tile] = begin[tile - 1];
+    begin[0] = 0;
+}
+
+/// Cut all visible parts of all instances into chunks.
+std::vector<ChunkTask> make_tasks(const std::vector<MeshInstance>& instances) {
+    std::vector<ChunkTask> tasks;
+    std::uint32_t source = 0;
+    for (std::uint32_t i = 0; i < instances.size(); ++i) {
+        const MeshInstance& instance = instances[i];
+        for (std::uint32_t p = 0; p < instance.mesh->parts.size(); ++p) {
+            const MeshPart& part = instance.mesh->parts[p];
+            const bool hidden = !instance.part_hidden.empty() && instance.part_hidden[p];
+            for (std::uint32_t begin = 0; begin < part.triangle_count && !hidden; begin += kTrianglesPerChunk) {
+                const std::uint32_t count = std::min(kTrianglesPerChunk, part.triangle_count - begin);
+                tasks.push_back({i, p, part.first_triangle + begin, count, source});
+            }
+        }
+        source += instance.mesh->triangle_count();
+    }
+    return tasks;
+}
+
+void add(TriangleCounts& sum, const TriangleCounts& counts) {
+    sum.input += counts.input;
+    sum.drawn += counts.drawn;
+    sum.culled += counts.culled;
+    sum.outside += counts.outside;
+    sum.degenerate += counts.degenerate;
+    sum.non_finite += counts.non_finite;
+    sum.clipped += counts.clipped;
+}
+
+}  // namespace
+
+TileGrid make_tile_grid(const Viewport& viewport, int samples) {
+    TileGrid grid;
+    grid.tile_side = kTileSide / samples * samples;
+    grid.columns = (viewport.width + grid.tile_side - 1) / grid.tile_side;
+    grid.rows = (viewport.height + grid.tile_side - 1) / grid.tile_side;
+    return grid;
+}
+
+TriangleCounts setup_triangles(const std::vector<MeshInstance>& instances, const glm::mat4& clip_from_world,
+                               const Viewport& viewport, CullMode cull, int samples, VertexStreams& streams,
+                               TriangleSet& set) {
+    const Frame frame{clip_from_world, viewport, cull};
+    const std::vector<ChunkTask> tasks = make_tasks(instances);
+    const int chunk_count = static_cast<int>(tasks.size());
+    set.grid = make_tile_grid(viewport, samples);
+    set.chunks.resize(tasks.size());
+    std::vector<std::vector<PendingClip>> pending(tasks.size());
+#pragma omp parallel for schedule(dynamic)
+    for (int i = 0; i < chunk_count; ++i) {
+        TriangleChunk& chunk = set.chunks[i];
+        chunk.triangles.clear();
+        chunk.tile_range.clear();
+        chunk.counts = {};
+        setup_chunk(tasks[i], instances[tasks[i].instance], frame, set.grid.tile_side, streams, chunk, pending[i]);
+    }
+    // Clipped triangles append vertices to the streams: one thread, in order, so that their numbers never change.
+    for (int i = 0; i < chunk_count; ++i) {
+        if (!pending[i].empty()) draw_clipped(pending[i], frame, set.grid.tile_side, streams, set.chunks[i]);
+    }
+    TriangleCounts sum;
+#pragma omp parallel for schedule(dynamic)
+    for (int i = 0; i < chunk_count; ++i) bin_chunk(set.grid, set.chunks[i]);
+    for (const TriangleChunk& chunk : set.chunks) add(sum, chunk.counts);
+    return sum;
+}
+
+}  // namespace kreda::raster

@@ -1,0 +1,85 @@
+// Triangle setup: which triangles can be seen at all, clipped where they must be, sorted into the tiles they touch.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <vector>
+
+#include "raster/vertex_stage.hpp"
+
+namespace kreda::raster {
+
+/// The screen is worked on in square tiles that fit into the processor's first cache.
+inline constexpr int kTileSide = 64;
+
+enum class CullMode { back, front, none };
+
+/// A triangle on the screen: three vertices in the streams, clockwise with y down, so that its area is positive.
+struct ScreenTriangle {
+    std::array<std::uint32_t, 3> vertex{};
+    std::uint32_t source = 0;    ///< number of the scene's triangle it came from, counted over all instances
+    std::uint32_t material = 0;
+};
+
+/// Triangles that were left out, and why.
+struct TriangleCounts {
+    std::uint64_t input = 0;
+    std::uint64_t drawn = 0;        ///< triangles that reach the tiles; one that was clipped may become several
+    std::uint64_t culled = 0;       ///< facing the wrong way
+    std::uint64_t outside = 0;      ///< outside the view, or between the sample centres
+    std::uint64_t degenerate = 0;   ///< no area after the snap to 1/256 sample
+    std::uint64_t non_finite = 0;   ///< a corner is NaN or infinite
+    std::uint64_t clipped = 0;      ///< went through the clipper
+};
+
+/// Triangles are set up in chunks of this many, whatever the number of threads, so that the order never changes.
+inline constexpr std::uint32_t kTrianglesPerChunk = 4096;
+
+/// A triangle's number holds its chunk and its place in it; clipping makes at most 14 triangles out of one.
+inline constexpr int kChunkShift = 16;
+
+/// The set-up triangles of one chunk, in the order in which they are drawn, and for each tile those that touch it.
+struct TriangleChunk {
+    std::vector<ScreenTriangle> triangles;
+    std::vector<std::uint32_t> tile_begin;      ///< tile t owns tile_entries[tile_begin[t] .. tile_begin[t+1])
+    std::vector<std::uint16_t> tile_entries;    ///< indices into triangles, in drawing order
+    TriangleCounts counts;
+    std::uint32_t instance = 0;                 ///< all triangles of a chunk belong to one mesh instance
+    std::uint32_t first_source = 0;             ///< number of that instance's first triangle over all instances
+
+    struct TileRange { std::uint16_t x0, y0, x1, y1; };
+    std::vector<TileRange> tile_range;          ///< of each triangle, inclusive (needed while binning)
+};
+
+/// The frame's grid of tiles over the sample grid.
+struct TileGrid {
+    int tile_side = kTileSide;  ///< samples a side, at most kTileSide
+    int columns = 0;
+    int rows = 0;
+};
+
+/// Tiles whose side is a multiple of `samples`, so that a pixel's samples never lie in two tiles.
+[[nodiscard]] TileGrid make_tile_grid(const Viewport& viewport, int samples);
+
+/// All triangles of a frame. Reused from frame to frame, so that memory is asked for once.
+struct TriangleSet {
+    TileGrid grid;
+    std::vector<TriangleChunk> chunks;
+
+    [[nodiscard]] const ScreenTriangle& triangle(std::uint32_t id) const {
+        return chunks[id >> kChunkShift].triangles[id & ((1u << kChunkShift) - 1)];
+    }
+};
+
+/// Number of a triangle in a TriangleSet; later ones are drawn later within a chunk.
+[[nodiscard]] inline std::uint32_t triangle_id(std::size_t chunk, std::size_t index) {
+    return static_cast<std::uint32_t>(chunk << kChunkShift | index);
+}
+
+/// Cull, clip and bin the triangles of all instances. New vertices made by the clipper are appended to the streams,
+/// with every attribute that the streams hold.
+TriangleCounts setup_triangles(const std::vector<MeshInstance>& instances, const glm::mat4& clip_from_world,
+                               const Viewport& viewport, CullMode cull, int samples, VertexStreams& streams,
+                               TriangleSet& set);
+
+}  // namespace kreda::raster

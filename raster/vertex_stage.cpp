@@ -1,0 +1,103 @@
+#include "raster/vertex_stage.hpp"
+
+#include <algorithm>
+
+#include <glm/matrix.hpp>
+
+#include "raster/platform.hpp"
+
+namespace kreda::raster {
+
+namespace {
+
+constexpr int kVerticesPerTask = 8192;
+
+/// screen <- object for a run of vertices. What has no place on the screen is marked for the clipper.
+KREDA_BATCH_LOOP void project_vertices(const glm::vec3* __restrict position_object, int count,
+                                       const glm::mat4& clip_from_object, const Viewport& viewport,
+                                       ScreenVertex* __restrict screen) {
+    const glm::mat4 m = clip_from_object;
+    const Viewport view = viewport;
+    const float guard_x = guard_band_ndc(view.width);
+    const float guard_y = guard_band_ndc(view.height);
+    for (int i = 0; i < count; ++i) {
+        const glm::vec4 clip = m * glm::vec4(position_object[i], 1.0f);
+        const bool inside = inside_guard_band(clip, guard_x, guard_y);
+        const glm::vec4 safe(inside ? clip.x : 0.0f, inside ? clip.y : 0.0f, inside ? clip.z : 0.0f,
+                             inside ? clip.w : 1.0f);
+        const ScreenVertex vertex = to_screen(safe, view);
+        screen[i].x = inside ? vertex.x : kNeedsClip;
+        screen[i].y = vertex.y;
+        screen[i].z = vertex.z;
+        screen[i].inv_w = vertex.inv_w;
+    }
+}
+
+/// world <- object for a run of positions (w stays 1).
+KREDA_BATCH_LOOP void transform_points(const glm::vec3* __restrict in, int count, const glm::mat4& world_from_object,
+                                       glm::vec3* __restrict out) {
+    const glm::mat4 m = world_from_object;
+    for (int i = 0; i < count; ++i) out[i] = glm::vec3(m * glm::vec4(in[i], 1.0f));
+}
+
+/// world <- object for a run of normals.
+KREDA_BATCH_LOOP void transform_normals(const glm::vec3* __restrict in, int count, const glm::mat3& matrix,
+                                        glm::vec3* __restrict out) {
+    const glm::mat3 m = matrix;
+    for (int i = 0; i < count; ++i) out[i] = m * in[i];
+}
+
+/// One run of vertices of one instance through every transform that the streams have room for.
+void transform_run(const MeshInstance& instance, const glm::mat4& clip_from_world, const Viewport& viewport,
+                   std::uint32_t begin, int count, VertexStreams& streams) {
+    const Mesh& mesh = *instance.mesh;
+    const std::uint32_t to = instance.first_vertex + begin;
+    project_vertices(&mesh.positions[begin], count, clip_from_world * instance.world_from_object, viewport,
+                     &streams.screen[to]);
+    if (!streams.position_world.empty()) {
+        transform_points(&mesh.positions[begin], count, instance.world_from_object, &streams.position_world[to]);
+    }
+    if (!streams.normal_world.empty()) {
+        transform_normals(&mesh.normals[begin], count, normal_from_object(instance.world_from_object),
+                          &streams.normal_world[to]);
+    }
+    if (!streams.uv.empty() && !mesh.uvs.empty()) {
+        std::copy_n(&mesh.uvs[begin], count, &streams.uv[to]);
+    }
+}
+
+}  // namespace
+
+std::uint32_t lay_out_vertices(std::vector<MeshInstance>& instances, const VertexNeeds& needs,
+                               VertexStreams& streams) {
+    std::uint32_t count = 0;
+    for (MeshInstance& instance : instances) {
+        instance.first_vertex = count;
+        count += static_cast<std::uint32_t>(instance.mesh->positions.size());
+    }
+    streams.screen.resize(count);
+    streams.position_world.resize(needs.position_world ? count : 0);
+    streams.normal_world.resize(needs.normal_world ? count : 0);
+    streams.uv.resize(needs.uv ? count : 0);
+    streams.color.resize(needs.color ? count : 0);
+    streams.fog.resize(needs.fog ? count : 0);
+    return count;
+}
+
+glm::mat3 normal_from_object(const glm::mat4& world_from_object) {
+    return glm::mat3(glm::transpose(glm::inverse(glm::dmat3(world_from_object))));
+}
+
+void transform_vertices(const std::vector<MeshInstance>& instances, const glm::mat4& clip_from_world,
+                        const Viewport& viewport, VertexStreams& streams) {
+    for (const MeshInstance& instance : instances) {
+        const int total = static_cast<int>(instance.mesh->positions.size());
+#pragma omp parallel for schedule(dynamic)
+        for (int begin = 0; begin < total; begin += kVerticesPerTask) {
+            const int count = std::min(kVerticesPerTask, total - begin);
+            transform_run(instance, clip_from_world, viewport, static_cast<std::uint32_t>(begin), count, streams);
+        }
+    }
+}
+
+}  // namespace kreda::raster

@@ -1,0 +1,120 @@
+#include "scene/early_lighting.hpp"
+
+#include <algorithm>
+
+#include <glm/geometric.hpp>
+
+namespace kreda::scene {
+
+namespace {
+
+using raster::kBatchCapacity;
+
+/// A batch and its channels, for one thread.
+struct LightingScratch {
+    raster::Fragments points;
+    lighting::LightingChannels channels;
+};
+
+/// Call work(begin, count, scratch) for 0 .. total in steps of a batch, in parallel.
+template <class Work>
+void for_each_batch(int total, Work work) {
+#pragma omp parallel
+    {
+        const auto scratch = std::make_unique<LightingScratch>();
+#pragma omp for schedule(dynamic)
+        for (int begin = 0; begin < total; begin += kBatchCapacity) {
+            const int count = std::min(kBatchCapacity, total - begin);
+            scratch->points.count = count;
+            work(begin, count, *scratch);
+        }
+    }
+}
+
+/// The vertices that a part uses: an unbroken range, because no vertex belongs to two parts.
+struct VertexRange { std::uint32_t first = 0, end = 0; };
+VertexRange vertices_of_part(const raster::Mesh& mesh, const raster::MeshPart& part) {
+    const auto begin = mesh.indices.begin() + 3 * static_cast<std::ptrdiff_t>(part.first_triangle);
+    const auto end = begin + 3 * static_cast<std::ptrdiff_t>(part.triangle_count);
+    if (begin == end) return {};
+    const auto [least, greatest] = std::minmax_element(begin, end);
+    return {*least, *greatest + 1};
+}
+
+void light_range(const lighting::Material& material, const lighting::LightingSetup& setup, std::uint32_t first,
+                 int total, raster::VertexStreams& streams) {
+    for_each_batch(total, [&](int begin, int count, LightingScratch& scratch) {
+        const std::uint32_t from = first + static_cast<std::uint32_t>(begin);
+        for (int i = 0; i < count; ++i) {
+            scratch.points.position.set(i, streams.position_world[from + i]);
+            scratch.points.normal.set(i, streams.normal_world[from + i]);
+        }
+        light_batch(scratch.points, material, setup, scratch.channels);
+        for (int i = 0; i < count; ++i) streams.color[from + i] = scratch.channels.radiance.at(i);
+    });
+}
+
+/// Centroid and normal of a triangle of the scene in world space, before any clipping.
+void set_flat_point(const RenderBuffers& buffers, const raster::TriangleChunk& chunk,
+                    const raster::ScreenTriangle& triangle, int i, raster::Fragments& points) {
+    const raster::MeshInstance& instance = buffers.instances[chunk.instance];
+    const std::uint32_t* index = &instance.mesh->indices[3 * std::size_t{triangle.source - chunk.first_source}];
+    const glm::vec3* position = &buffers.streams.position_world[instance.first_vertex];
+    const glm::vec3 a = position[index[0]];
+    const glm::vec3 b = position[index[1]];
+    const glm::vec3 c = position[index[2]];
+    points.position.set(i, (a + b + c) * (1.0f / 3.0f));
+    points.normal.set(i, glm::cross(b - a, c - a));
+}
+
+/// Flat colours of one chunk of triangles (they share a material).
+void light_chunk(const Scene& scene, const lighting::LightingSetup& setup, const RenderBuffers& buffers,
+                 const raster::TriangleChunk& chunk, std::vector<glm::vec3>& color, LightingScratch& scratch) {
+    const int total = static_cast<int>(chunk.triangles.size());
+    color.resize(chunk.triangles.size());
+    for (int begin = 0; begin < total; begin += kBatchCapacity) {
+        const int count = std::min(kBatchCapacity, total - begin);
+        for (int i = 0; i < count; ++i) set_flat_point(buffers, chunk, chunk.triangles[begin + i], i, scratch.points);
+        scratch.points.count = count;
+        light_batch(scratch.points, scene.materials[chunk.triangles[0].material], setup, scratch.channels);
+        for (int i = 0; i < count; ++i) color[begin + i] = scratch.channels.radiance.at(i);
+    }
+}
+
+}  // namespace
+
+void light_vertices(const Scene& scene, const lighting::LightingSetup& setup, RenderBuffers& buffers) {
+    for (const raster::MeshInstance& instance : buffers.instances) {
+        for (std::size_t p = 0; p < instance.mesh->parts.size(); ++p) {
+            const VertexRange range = vertices_of_part(*instance.mesh, instance.mesh->parts[p]);
+            light_range(scene.materials[instance.part_material[p]], setup, instance.first_vertex + range.first,
+                        static_cast<int>(range.end - range.first), buffers.streams);
+        }
+    }
+}
+
+void fog_vertices(const lighting::LightingSetup& setup, RenderBuffers& buffers) {
+    raster::VertexStreams& streams = buffers.streams;
+    for_each_batch(static_cast<int>(streams.fog.size()), [&](int begin, int count, LightingScratch& scratch) {
+        for (int i = 0; i < count; ++i) scratch.points.position.set(i, streams.position_world[begin + i]);
+        fog_factors(scratch.points, setup, scratch.channels);
+        for (int i = 0; i < count; ++i) streams.fog[begin + i] = scratch.channels.fog.at(i);
+    });
+}
+
+void light_triangles(const Scene& scene, const lighting::LightingSetup& setup, RenderBuffers& buffers) {
+    const int chunk_count = static_cast<int>(buffers.triangles.chunks.size());
+    buffers.flat_color.resize(buffers.triangles.chunks.size());
+#pragma omp parallel
+    {
+        const auto scratch = std::make_unique<LightingScratch>();
+#pragma omp for schedule(dynamic)
+        for (int i = 0; i < chunk_count; ++i) {
+            const raster::TriangleChunk& chunk = buffers.triangles.chunks[i];
+            if (chunk.triangles.empty()) continue;
+            light_chunk(scene, setup, buffers, chunk, buffers.flat_color[i], *scratch);
+        }
+    }
+}
+
+}  // namespace kreda::scene

@@ -1,0 +1,28 @@
+// Wavefront OBJ and MTL files through tinyobjloader, checked.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "lighting/material.hpp"
+#include "raster/mesh.hpp"
+#include "scene/scene.hpp"
+
+namespace kreda::scene {
+
+/// A mesh and the materials that its MTL files define. MeshPart::material indexes `materials`.
+struct LoadedMesh {
+    raster::Mesh mesh;
+    std::vector<lighting::Material> materials;
+    std::vector<std::string> warnings;  ///< what was wrong but not fatal, a line each, with its place
+};
+
+struct MeshFileOptions {
+    Normals normals = Normals::file;  ///< file: the file's own, smooth ones (60 degrees) where it has none
+    bool allow_outside = false;       ///< paths inside the OBJ and MTL may leave the OBJ's folder
+};
+
+/// Load PATH (OBJ). Throws UserError with file and, where known, line and column.
+[[nodiscard]] LoadedMesh load_mesh_file(const std::string& path, const MeshFileOptions& options = {});
+
+}  // namespace kreda::scene

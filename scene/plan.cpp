@@ -1,0 +1,162 @@
+#include "scene/plan.hpp"
+
+#include <algorithm>
+
+#include "lighting/passes.hpp"
+
+namespace kreda::scene {
+
+namespace {
+
+/// Sizes of the scene that the plan's buffers depend on.
+struct Sizes {
+    std::uint64_t vertices = 0;
+    std::uint64_t triangles = 0;
+    std::uint64_t pixels = 0;
+};
+
+Sizes measure(const Scene& scene) {
+    Sizes sizes;
+    for (const Object& object : scene.objects) {
+        sizes.vertices += object.mesh->positions.size();
+        sizes.triangles += object.mesh->triangle_count();
+    }
+    sizes.pixels = static_cast<std::uint64_t>(scene.image.width) * scene.image.height;
+    return sizes;
+}
+
+raster::CullMode cull_mode(Cull cull) {
+    switch (cull) {
+        case Cull::back: return raster::CullMode::back;
+        case Cull::front: return raster::CullMode::front;
+        case Cull::none: return raster::CullMode::none;
+    }
+    return raster::CullMode::back;
+}
+
+/// Which attributes of a vertex somebody will read.
+raster::VertexNeeds vertex_needs(const Scene& scene, const RenderPlan& plan) {
+    const bool lit_at_pixels = plan.frequency == ShadingFrequency::phong;
+    const bool lit_at_vertices = plan.frequency == ShadingFrequency::gouraud;
+    raster::VertexNeeds needs;
+    needs.position_world = true;
+    needs.normal_world = lit_at_pixels || lit_at_vertices;
+    needs.color = lit_at_vertices;
+    needs.fog = plan.fog_at_vertices;
+    if (scene.objects.empty()) needs = {};
+    return needs;
+}
+
+raster::FragmentNeeds fragment_needs(const RenderPlan& plan) {
+    raster::FragmentNeeds needs;
+    needs.position = plan.frequency == ShadingFrequency::phong || plan.fog_at_pixels;
+    needs.normal = plan.frequency == ShadingFrequency::phong;
+    needs.color = plan.frequency == ShadingFrequency::gouraud;
+    needs.fog = plan.fog_at_vertices;
+    return needs;
+}
+
+void plan_vertices(const Scene& scene, const Sizes& sizes, RenderPlan& plan) {
+    PlannedPass pass{"vertices", "object -> world -> clip -> screen for " + std::to_string(sizes.vertices) + " vertices", {}};
+    pass.buffers.push_back({"screen", sizes.vertices * sizeof(raster::ScreenVertex)});
+    if (plan.vertex.position_world) pass.buffers.push_back({"position_world", sizes.vertices * sizeof(glm::vec3)});
+    if (plan.vertex.normal_world) pass.buffers.push_back({"normal_world", sizes.vertices * sizeof(glm::vec3)});
+    plan.passes.push_back(pass);
+    if (plan.frequency == ShadingFrequency::gouraud) {
+        plan.passes.push_back({"light vertices",
+                               "shading.frequency = \"gouraud\": " + std::to_string(scene.lights.size()) + " lights at every vertex",
+                               {{"color", sizes.vertices * sizeof(glm::vec3)}}});
+    }
+    if (plan.fog_at_vertices) {
+        plan.passes.push_back({"fog at vertices", "fog.frequency = \"vertex\"", {{"fog", sizes.vertices * sizeof(float)}}});
+    }
+}
+
+void plan_triangles(const Sizes& sizes, RenderPlan& plan) {
+    const std::uint64_t bytes = sizes.triangles * (sizeof(raster::ScreenTriangle) + sizeof(raster::TriangleChunk::TileRange));
+    plan.passes.push_back({"triangles", "cull, clip and sort " + std::to_string(sizes.triangles) + " triangles into tiles",
+                           {{"triangles and bins, at most", bytes + 2 * sizes.triangles}}});
+    if (plan.frequency == ShadingFrequency::flat) {
+        plan.passes.push_back({"light triangles", "shading.frequency = \"flat\": once a triangle, at its centroid",
+                               {{"flat color", sizes.triangles * sizeof(glm::vec3)}}});
+    }
+}
+
+void plan_tiles(const Scene& scene, RenderPlan& plan) {
+    plan.passes.push_back({"visibility", "which triangle is nearest, sample by sample",
+                           {{"depth and triangle of one tile, a thread", sizeof(raster::TileVisibility)}}});
+    if (plan.fragment.any()) {
+        plan.passes.push_back({"interpolate", std::string("attributes between the vertices, ") +
+                                                  (plan.interpolation == raster::AttributeInterpolation::affine ? "affine" : "perspective-correct"),
+                               {{"fragments of one batch, a thread", sizeof(raster::Fragments)}}});
+    }
+    if (plan.frequency == ShadingFrequency::phong) {
+        plan.passes.push_back({"light pixels", "shading.frequency = \"phong\": " + std::to_string(scene.lights.size()) + " lights at every sample",
+                               {{"lighting channels of one batch, a thread", sizeof(lighting::LightingChannels)}}});
+    }
+    if (plan.fog_at_pixels) plan.passes.push_back({"fog at pixels", "fog.frequency = \"pixel\"", {}});
+    if (plan.fog_at_vertices || plan.fog_at_pixels) {
+        plan.passes.push_back({"mix fog", "fog.mode is not \"none\"", {}});
+    }
+}
+
+void plan_film(const Scene& scene, const Sizes& sizes, RenderPlan& plan) {
+    const int n = scene.image.samples;
+    const std::string reason = n == 1 ? "one sample a pixel" : "mean of " + std::to_string(n * n) + " samples a pixel";
+    plan.passes.push_back({"film", reason, {{"linear RGB", sizes.pixels * 3 * sizeof(float)}}});
+}
+
+void list_left_out(RenderPlan& plan) {
+    const auto left_out = [&](bool absent, const char* name, const char* why_not) {
+        if (absent) plan.left_out.push_back({name, why_not});
+    };
+    const bool no_fog = !plan.fog_at_pixels && !plan.fog_at_vertices;
+    left_out(plan.frequency != ShadingFrequency::gouraud, "light vertices", "only shading.frequency = \"gouraud\" lights vertices");
+    left_out(plan.frequency != ShadingFrequency::flat, "light triangles", "only shading.frequency = \"flat\" lights triangles");
+    left_out(plan.frequency != ShadingFrequency::phong, "light pixels", "only shading.frequency = \"phong\" lights pixels");
+    left_out(no_fog, "fog", "fog.mode = \"none\"");
+}
+
+}  // namespace
+
+RenderPlan make_plan(const Scene& scene) {
+    const Sizes sizes = measure(scene);
+    RenderPlan plan;
+    plan.samples = scene.image.samples;
+    plan.viewport = {scene.image.width * plan.samples, scene.image.height * plan.samples};
+    plan.cull = cull_mode(scene.shading.cull);
+    plan.interpolation = scene.shading.interpolation == Interpolation::affine
+                             ? raster::AttributeInterpolation::affine
+                             : raster::AttributeInterpolation::perspective;
+    plan.frequency = scene.shading.frequency;
+    const bool foggy = scene.fog.mode != lighting::FogMode::none && !scene.objects.empty();
+    plan.fog_at_vertices = foggy && scene.fog.frequency == lighting::FogFrequency::vertex;
+    plan.fog_at_pixels = foggy && scene.fog.frequency == lighting::FogFrequency::pixel;
+    plan.vertex = vertex_needs(scene, plan);
+    plan.fragment = fragment_needs(plan);
+    if (!scene.objects.empty()) {
+        plan_vertices(scene, sizes, plan);
+        plan_triangles(sizes, plan);
+        plan_tiles(scene, plan);
+    }
+    plan_film(scene, sizes, plan);
+    list_left_out(plan);
+    return plan;
+}
+
+std::string describe(const RenderPlan& plan, bool with_left_out) {
+    std::string text;
+    int number = 1;
+    for (const PlannedPass& pass : plan.passes) {
+        text += std::to_string(number++) + ". " + pass.name + ": " + pass.reason + "\n";
+        for (const PlannedBuffer& buffer : pass.buffers) {
+            text += "     " + buffer.name + ": " + std::to_string(buffer.bytes) + " bytes\n";
+        }
+    }
+    if (with_left_out) {
+        for (const LeftOutPass& pass : plan.left_out) text += "-  " + pass.name + ": left out, " + pass.why_not + "\n";
+    }
+    return text;
+}
+
+}  // namespace kreda::scene

@@ -1,0 +1,52 @@
+// The plan: which passes a scene requires, in order, and why. Nothing else is computed, nothing else is allocated.
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "raster/fragments.hpp"
+#include "raster/triangle_setup.hpp"
+#include "raster/vertex_stage.hpp"
+#include "scene/scene.hpp"
+
+namespace kreda::scene {
+
+/// Memory that a pass writes. Buffers of one tile or batch exist once a thread.
+struct PlannedBuffer {
+    std::string name;
+    std::uint64_t bytes = 0;
+};
+
+struct PlannedPass {
+    std::string name;
+    std::string reason;  ///< what in the scene asks for it
+    std::vector<PlannedBuffer> buffers;
+};
+
+/// A pass that this scene does not need, and what would need it.
+struct LeftOutPass {
+    std::string name;
+    std::string why_not;
+};
+
+struct RenderPlan {
+    raster::Viewport viewport;   ///< the sample grid
+    int samples = 1;             ///< n x n samples a pixel
+    raster::CullMode cull = raster::CullMode::back;
+    raster::AttributeInterpolation interpolation = raster::AttributeInterpolation::perspective;
+    ShadingFrequency frequency = ShadingFrequency::phong;
+    raster::VertexNeeds vertex;  ///< attributes of the vertex streams
+    raster::FragmentNeeds fragment;  ///< attributes that are interpolated for each visible sample
+    bool fog_at_vertices = false;
+    bool fog_at_pixels = false;
+    std::vector<PlannedPass> passes;
+    std::vector<LeftOutPass> left_out;
+};
+
+[[nodiscard]] RenderPlan make_plan(const Scene& scene);
+
+/// The plan as text for people: a line a pass with its reason and the bytes of its buffers.
+[[nodiscard]] std::string describe(const RenderPlan& plan, bool with_left_out);
+
+}  // namespace kreda::scene

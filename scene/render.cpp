@@ -1,0 +1,172 @@
+#include "scene/render.hpp"
+
+#if defined(_OPENMP)
+#include <omp.h>
+#endif
+
+#include "scene/early_lighting.hpp"
+#include "scene/stopwatch.hpp"
+#include "scene/tile_pass.hpp"
+
+namespace kreda::scene {
+
+namespace {
+
+int thread_count() {
+#if defined(_OPENMP)
+    return omp_get_max_threads();
+#else
+    return 1;
+#endif
+}
+
+int thread_number() {
+#if defined(_OPENMP)
+    return omp_get_thread_num();
+#else
+    return 0;
+#endif
+}
+
+/// Sets the number of threads for the length of a frame.
+class ThreadLimit {
+public:
+    explicit ThreadLimit(int threads) : before_(thread_count()) { set(threads > 0 ? threads : before_); }
+    ~ThreadLimit() { set(before_); }
+    ThreadLimit(const ThreadLimit&) = delete;
+    ThreadLimit& operator=(const ThreadLimit&) = delete;
+
+private:
+    static void set([[maybe_unused]] int threads) {
+#if defined(_OPENMP)
+        omp_set_num_threads(threads);
+#endif
+    }
+    int before_;
+};
+
+std::vector<raster::MeshInstance> make_instances(const Scene& scene) {
+    std::vector<raster::MeshInstance> instances;
+    for (const Object& object : scene.objects) {
+        raster::MeshInstance instance;
+        instance.mesh = object.mesh.get();
+        instance.world_from_object = object.world_from_object;
+        instance.part_material.assign(object.part_material.begin(), object.part_material.end());
+        instance.part_hidden = object.part_hidden;
+        instances.push_back(std::move(instance));
+    }
+    return instances;
+}
+
+std::vector<lighting::LightSetup> make_lights(const Scene& scene) {
+    std::vector<lighting::LightSetup> lights;
+    for (const lighting::Light& light : scene.lights) {
+        if (light.on) lights.push_back(prepare(light));
+    }
+    return lights;
+}
+
+lighting::LightingSetup make_lighting(const Scene& scene, const std::vector<lighting::LightSetup>& lights) {
+    lighting::LightingSetup setup;
+    setup.eye = scene.camera.position;
+    setup.forward = view_direction(scene.camera);
+    setup.orthographic = scene.camera.projection == raster::Projection::orthographic;
+    setup.ambient = scene.ambient;
+    setup.lights = lights;
+    setup.fog = scene.fog;
+    return setup;
+}
+
+/// One TileScratch a thread, times and counts at zero.
+void prepare_scratch(RenderBuffers& buffers) {
+    buffers.scratch.resize(static_cast<std::size_t>(thread_count()));
+    for (std::unique_ptr<TileScratch>& scratch : buffers.scratch) {
+        if (!scratch) scratch = std::make_unique<TileScratch>();
+        scratch->visibility_ms = scratch->interpolation_ms = scratch->lighting_ms = scratch->film_ms = 0.0;
+        scratch->samples_shaded = 0;
+    }
+}
+
+/// Size the film without touching memory that is there already: every pixel is written by its tile.
+void prepare_film(const Scene& scene, raster::Image& film) {
+    film.width = scene.image.width;
+    film.height = scene.image.height;
+    film.channels = 3;
+    film.values.resize(static_cast<std::size_t>(film.width) * film.height * 3);
+}
+
+void render_tiles(const TileFrame& frame) {
+    const int tile_count = frame.buffers.triangles.grid.columns * frame.buffers.triangles.grid.rows;
+#pragma omp parallel for schedule(dynamic)
+    for (int t = 0; t < tile_count; ++t) render_tile(frame, t, *frame.buffers.scratch[thread_number()]);
+}
+
+void add_tile_times(const RenderBuffers& buffers, RenderStatistics& statistics) {
+    double visibility = 0.0, interpolation = 0.0, light = 0.0, film = 0.0;
+    for (const std::unique_ptr<TileScratch>& scratch : buffers.scratch) {
+        visibility += scratch->visibility_ms;
+        interpolation += scratch->interpolation_ms;
+        light += scratch->lighting_ms;
+        film += scratch->film_ms;
+        statistics.samples_shaded += scratch->samples_shaded;
+    }
+    const double threads = static_cast<double>(buffers.scratch.size());
+    statistics.times.stages.emplace_back("visibility", visibility / threads);
+    statistics.times.stages.emplace_back("interpolate", interpolation / threads);
+    statistics.times.stages.emplace_back("shade", light / threads);
+    statistics.times.stages.emplace_back("film", film / threads);
+}
+
+}  // namespace
+
+RenderBuffers::RenderBuffers() = default;
+RenderBuffers::~RenderBuffers() = default;
+RenderBuffers::RenderBuffers(RenderBuffers&&) noexcept = default;
+RenderBuffers& RenderBuffers::operator=(RenderBuffers&&) noexcept = default;
+
+RenderStatistics render(const Scene& scene, const RenderPlan& plan, RenderBuffers& buffers, int threads) {
+    const ThreadLimit limit(threads);
+    RenderStatistics statistics;
+    Stopwatch total;
+    Stopwatch watch;
+    const auto lap = [&](const char* stage) { statistics.times.stages.emplace_back(stage, watch.lap_ms()); };
+
+    const glm::mat4 clip_from_world = raster::clip_from_world(
+        scene.camera, static_cast<float>(scene.image.width) / static_cast<float>(scene.image.height));
+    const std::vector<lighting::LightSetup> lights = make_lights(scene);
+    const lighting::LightingSetup lighting = make_lighting(scene, lights);
+    buffers.instances = make_instances(scene);
+    prepare_scratch(buffers);
+    prepare_film(scene, buffers.film);
+
+    lay_out_vertices(buffers.instances, plan.vertex, buffers.streams);
+    transform_vertices(buffers.instances, clip_from_world, plan.viewport, buffers.streams);
+    lap("vertices");
+    if (plan.vertex.color) {
+        light_vertices(scene, lighting, buffers);
+        lap("light vertices");
+    }
+    if (plan.vertex.fog) {
+        fog_vertices(lighting, buffers);
+        lap("fog vertices");
+    }
+    statistics.triangles = setup_triangles(buffers.instances, clip_from_world, plan.viewport, plan.cull, plan.samples,
+                                           buffers.streams, buffers.triangles);
+    lap("triangles");
+    if (plan.frequency == ShadingFrequency::flat) {
+        light_triangles(scene, lighting, buffers);
+        lap("light triangles");
+    }
+    render_tiles({scene, plan, lighting, buffers});
+    add_tile_times(buffers, statistics);
+    statistics.times.total_ms = total.lap_ms();
+    return statistics;
+}
+
+raster::Image render(const Scene& scene) {
+    RenderBuffers buffers;
+    render(scene, make_plan(scene), buffers);
+    return std::move(buffers.film);
+}
+
+}  // namespace kreda::scene

@@ -1,0 +1,54 @@
+// Run a plan: from the loaded scene to the linear film.
+#pragma once
+
+#include <cstdint>
+#include <memory>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "raster/image.hpp"
+#include "raster/triangle_setup.hpp"
+#include "raster/vertex_stage.hpp"
+#include "scene/plan.hpp"
+#include "scene/scene.hpp"
+
+namespace kreda::scene {
+
+struct TileScratch;
+
+/// The memory of a frame. Keep it from frame to frame and nothing is allocated twice.
+struct RenderBuffers {
+    RenderBuffers();
+    ~RenderBuffers();
+    RenderBuffers(RenderBuffers&&) noexcept;
+    RenderBuffers& operator=(RenderBuffers&&) noexcept;
+
+    std::vector<raster::MeshInstance> instances;
+    raster::VertexStreams streams;
+    raster::TriangleSet triangles;
+    std::vector<std::vector<glm::vec3>> flat_color;       ///< flat shading: one a triangle, chunk by chunk
+    std::vector<std::unique_ptr<TileScratch>> scratch;    ///< one a thread
+    raster::Image film;                                   ///< linear RGB radiance, row 0 on top
+};
+
+/// Milliseconds by stage, in the order of the pipeline; stages that run tile by tile are summed over all threads and
+/// divided by their number.
+struct StageTimes {
+    std::vector<std::pair<std::string, double>> stages;
+    double total_ms = 0.0;
+};
+
+struct RenderStatistics {
+    StageTimes times;
+    raster::TriangleCounts triangles;
+    std::uint64_t samples_shaded = 0;  ///< visible samples, each shaded exactly once
+};
+
+/// Render the scene into buffers.film. threads = 0: as many as there are cores.
+RenderStatistics render(const Scene& scene, const RenderPlan& plan, RenderBuffers& buffers, int threads = 0);
+
+/// The short way: plan, render, film.
+[[nodiscard]] raster::Image render(const Scene& scene);
+
+}  // namespace kreda::scene

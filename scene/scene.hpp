@@ -1,0 +1,71 @@
+// The scene as plain data: what is there, nothing about how it will be drawn.
+#pragma once
+
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include <glm/mat4x4.hpp>
+#include <glm/vec2.hpp>
+#include <glm/vec3.hpp>
+
+#include "lighting/fog.hpp"
+#include "lighting/light.hpp"
+#include "lighting/material.hpp"
+#include "raster/camera.hpp"
+#include "raster/film.hpp"
+#include "raster/mesh.hpp"
+#include "scene/error.hpp"
+
+namespace kreda::scene {
+
+using raster::ToneMap;
+using raster::Transfer;
+enum class ShadingFrequency { flat, gouraud, phong };
+enum class Interpolation { perspective, affine };
+enum class Cull { back, front, none };
+enum class Normals { file, smooth, flat };
+
+struct ImageSettings {
+    int width = 640;
+    int height = 360;
+    int samples = 1;               ///< n x n supersampling, 1..8
+    glm::vec3 background{0.0f};    ///< linear RGB
+    bool environment_background = false;
+    float exposure = 1.0f;
+    ToneMap tone_map = ToneMap::none;
+    float white = 4.0f;
+    Transfer transfer = Transfer::srgb;
+    float gamma = 2.2f;
+};
+
+struct ShadingSettings {
+    ShadingFrequency frequency = ShadingFrequency::phong;
+    Interpolation interpolation = Interpolation::perspective;
+    Cull cull = Cull::back;
+};
+
+/// An instance of a mesh in the world.
+struct Object {
+    std::string mesh_name;                       ///< as written in the scene file
+    std::shared_ptr<const raster::Mesh> mesh;    ///< shared when several objects name the same file and settings
+    glm::mat4 world_from_object{1.0f};
+    std::vector<int> part_material;              ///< for each part of the mesh: index into Scene::materials
+    std::vector<bool> part_hidden;               ///< for each part of the mesh: not drawn
+};
+
+struct Scene {
+    std::string file;                            ///< where it came from; empty: built in
+    ImageSettings image;
+    raster::Camera camera;
+    ShadingSettings shading;
+    glm::vec3 ambient{0.05f};                    ///< s_A
+    std::vector<lighting::Light> lights;
+    lighting::Fog fog;
+    std::vector<lighting::Material> materials;   ///< at least one when there is an object
+    std::vector<Object> objects;
+    std::vector<std::string> warnings;           ///< what was wrong but not fatal while loading, a line each
+};
+
+}  // namespace kreda::scene

@@ -1,0 +1,141 @@
+#include "scene/tile_pass.hpp"
+
+#include <algorithm>
+
+#include "raster/platform.hpp"
+#include "scene/stopwatch.hpp"
+
+namespace kreda::scene {
+
+namespace {
+
+using raster::kTileSide;
+using raster::Run;
+using raster::TileArea;
+
+/// Runs of one material stand together afterwards; within a material they keep their order.
+void group_by_material(Run* runs, int count) {
+    const auto other_material = [&](const Run& run) { return run.material != runs[0].material; };
+    if (std::none_of(runs, runs + count, other_material)) return;
+    std::stable_sort(runs, runs + count, [](const Run& a, const Run& b) { return a.material < b.material; });
+}
+
+/// How many of the runs fit into one batch: one material, at most kBatchCapacity samples.
+int runs_of_one_batch(const Run* runs, int count) {
+    int samples = 0;
+    int taken = 0;
+    while (taken < count && runs[taken].material == runs[0].material &&
+           samples + runs[taken].count <= raster::kBatchCapacity) {
+        samples += runs[taken++].count;
+    }
+    return taken;
+}
+
+/// Flat shading: every sample of a run has its triangle's colour.
+void fill_flat_color(const RenderBuffers& buffers, const Run* runs, int count, raster::Fragments& fragments) {
+    int first = 0;
+    for (int r = 0; r < count; ++r) {
+        const std::uint32_t id = runs[r].triangle;
+        const std::size_t index = id & ((1u << raster::kChunkShift) - 1);
+        const glm::vec3 color = buffers.flat_color[id >> raster::kChunkShift][index];
+        std::fill_n(fragments.color.x + first, runs[r].count, color.x);
+        std::fill_n(fragments.color.y + first, runs[r].count, color.y);
+        std::fill_n(fragments.color.z + first, runs[r].count, color.z);
+        first += runs[r].count;
+    }
+    fragments.count = first;
+}
+
+/// The radiance of every point of the batch, fog included.
+void shade_batch(const TileFrame& frame, std::uint32_t material, TileScratch& scratch) {
+    if (frame.plan.frequency == ShadingFrequency::phong) {
+        light_batch(scratch.fragments, frame.scene.materials[material], frame.lighting, scratch.lighting);
+    } else {
+        copy_color(scratch.fragments, scratch.lighting);
+    }
+    if (frame.plan.fog_at_pixels) fog_factors(scratch.fragments, frame.lighting, scratch.lighting);
+    if (frame.plan.fog_at_vertices) copy_fog(scratch.fragments, scratch.lighting);
+    if (frame.plan.fog_at_pixels || frame.plan.fog_at_vertices) {
+        apply_fog(scratch.fragments.count, frame.lighting.fog.color, scratch.lighting);
+    }
+}
+
+/// Put the batch's radiance where its runs lie in the tile.
+void scatter_runs(const raster::Channel3& radiance, const Run* runs, int count, TileColor& color) {
+    int first = 0;
+    for (int r = 0; r < count; ++r) {
+        const int to = runs[r].y * kTileSide + runs[r].x;
+        std::copy_n(radiance.x + first, runs[r].count, color.plane[0] + to);
+        std::copy_n(radiance.y + first, runs[r].count, color.plane[1] + to);
+        std::copy_n(radiance.z + first, runs[r].count, color.plane[2] + to);
+        first += runs[r].count;
+    }
+}
+
+/// One batch: interpolate, light, fog, back into the tile.
+void work_batch(const TileFrame& frame, const TileArea& area, const Run* runs, int count, TileScratch& scratch) {
+    Stopwatch watch;
+    scratch.fragments.count = 0;
+    if (frame.plan.fragment.any()) {
+        interpolate_runs(frame.buffers.streams, frame.buffers.triangles, area, runs, count, frame.plan.fragment,
+                         frame.plan.interpolation, scratch.fragments);
+    }
+    if (frame.plan.frequency == ShadingFrequency::flat) {
+        fill_flat_color(frame.buffers, runs, count, scratch.fragments);
+    }
+    scratch.interpolation_ms += watch.lap_ms();
+    shade_batch(frame, runs[0].material, scratch);
+    scatter_runs(scratch.lighting.radiance, runs, count, scratch.color);
+    scratch.samples_shaded += static_cast<std::uint64_t>(scratch.fragments.count);
+    scratch.lighting_ms += watch.lap_ms();
+}
+
+/// One pixel is the mean of its n x n samples, added row by row, left to right.
+float mean_of_samples(const float* plane, int x, int y, int n) {
+    float sum = 0.0f;
+    for (int j = 0; j < n; ++j) {
+        for (int i = 0; i < n; ++i) sum += plane[(y * n + j) * kTileSide + x * n + i];
+    }
+    return sum / static_cast<float>(n * n);
+}
+
+/// Tile -> film: copy, or average the samples of each pixel.
+void write_film(const TileArea& area, int n, const TileColor& color, raster::Image& film) {
+    const int x0 = area.x / n;
+    const int y0 = area.y / n;
+    for (int c = 0; c < 3; ++c) {
+        for (int y = 0; y < area.height / n; ++y) {
+            float* row = film.plane(c) + static_cast<std::size_t>(y0 + y) * film.width + x0;
+            if (n == 1) {
+                std::copy_n(color.plane[c] + y * kTileSide, area.width, row);
+                continue;
+            }
+            for (int x = 0; x < area.width / n; ++x) row[x] = mean_of_samples(color.plane[c], x, y, n);
+        }
+    }
+}
+
+}  // namespace
+
+void render_tile(const TileFrame& frame, int tile_index, TileScratch& scratch) {
+    Stopwatch watch;
+    const TileArea area = tile_area(frame.buffers.triangles.grid, frame.plan.viewport, tile_index);
+    rasterize_tile(frame.buffers.streams, frame.buffers.triangles, area, scratch.visibility);
+    const int run_count = find_runs(scratch.visibility, area, frame.buffers.triangles, scratch.runs);
+    if (run_count > 0) group_by_material(scratch.runs, run_count);
+    for (int c = 0; c < 3; ++c) {
+        std::fill(std::begin(scratch.color.plane[c]), std::end(scratch.color.plane[c]), frame.scene.image.background[c]);
+    }
+    scratch.visibility_ms += watch.lap_ms();
+    for (int done = 0; done < run_count;) {
+        const Run* runs = scratch.runs + done;
+        const int count = runs_of_one_batch(runs, run_count - done);
+        work_batch(frame, area, runs, count, scratch);
+        done += count;
+    }
+    watch.lap_ms();
+    write_film(area, frame.plan.samples, scratch.color, frame.buffers.film);
+    scratch.film_ms += watch.lap_ms();
+}
+
+}  // namespace kreda::scene
