@@ -1,5 +1,8 @@
 #include "raster/fragments.hpp"
 
+#include <algorithm>
+#include <bit>
+
 #include "raster/platform.hpp"
 
 namespace kreda::raster {
@@ -113,19 +116,33 @@ KREDA_BATCH_LOOP void interpolate_all(const Attributes& in, const TriangleSet& s
     out.count = first;
 }
 
+/// Bit x of begins[y] is set where the triangle of sample (x, y) differs from its left neighbour's, and for x = 0.
+KREDA_BATCH_LOOP void mark_beginnings(const TileVisibility& tile, int rows, std::uint64_t* __restrict begins) {
+    alignas(64) std::uint64_t bit[kTileSide];
+    for (int x = 0; x < kTileSide; ++x) bit[x] = std::uint64_t{1} << x;
+    for (int y = 0; y < rows; ++y) {
+        const std::uint32_t* row = &tile.triangle[y * kTileSide];
+        std::uint64_t mask = 1;
+        for (int x = 1; x < kTileSide; ++x) mask |= row[x] != row[x - 1] ? bit[x] : 0;
+        begins[y] = mask;
+    }
+}
+
 }  // namespace
 
 int find_runs(const TileVisibility& tile, const TileArea& area, const TriangleSet& set, Run* runs) {
     int found = 0;
+    std::uint64_t begins[kTileSide];
+    mark_beginnings(tile, area.height, begins);
     for (int y = 0; y < area.height; ++y) {
         const std::uint32_t* row = &tile.triangle[y * kTileSide];
+        std::uint64_t rest = begins[y];
         for (int x = 0; x < area.width;) {
-            const std::uint32_t id = row[x];
-            int end = x + 1;
-            while (end < area.width && row[end] == id) ++end;
-            if (id != kNoTriangle) {
+            rest &= rest - 1;  // forget where this run begins; what is left begins later
+            const int end = std::min(rest ? std::countr_zero(rest) : kTileSide, area.width);
+            if (row[x] != kNoTriangle) {
                 runs[found++] = {static_cast<std::uint16_t>(x), static_cast<std::uint16_t>(y),
-                                 static_cast<std::uint16_t>(end - x), set.triangle(id).material, id};
+                                 static_cast<std::uint16_t>(end - x), set.triangle(row[x]).material, row[x]};
             }
             x = end;
         }

@@ -32,21 +32,6 @@ struct Frame {
     CullMode cull;
 };
 
-enum class Fate { drawn, culled, outside, degenerate };
-
-/// Orient a triangle clockwise (y down) and decide what becomes of it. The sign of the snapped area decides.
-Fate classify(const VertexStreams& streams, const Frame& frame, ScreenTriangle& triangle) {
-    const ScreenVertex& a = streams.screen[triangle.vertex[0]];
-    const ScreenVertex& b = streams.screen[triangle.vertex[1]];
-    const ScreenVertex& c = streams.screen[triangle.vertex[2]];
-    const std::int64_t area = edge_function(a.x, a.y, b.x, b.y, c.x, c.y);
-    if (area == 0) return Fate::degenerate;
-    const bool front = area < 0;  // counter-clockwise with y up is clockwise with y down
-    if (front ? frame.cull == CullMode::front : frame.cull == CullMode::back) return Fate::culled;
-    if (front) std::swap(triangle.vertex[1], triangle.vertex[2]);
-    return Fate::drawn;
-}
-
 /// First and last sample whose centre lies in [min, max] (1/256 sample), inside an image of `side` samples.
 struct SampleRange { std::int32_t first, last; };
 SampleRange samples_between(std::int32_t min, std::int32_t max, int side) {
@@ -55,35 +40,73 @@ SampleRange samples_between(std::int32_t min, std::int32_t max, int side) {
     return {std::max(first, 0), std::min(last, side - 1)};
 }
 
-/// Append a triangle to the chunk with the tiles that its bounding box touches, unless no sample centre lies in the box.
-bool append_triangle(const VertexStreams& streams, const Viewport& viewport, int tile_side,
-                     const ScreenTriangle& triangle, TriangleChunk& chunk) {
-    const ScreenVertex& a = streams.screen[triangle.vertex[0]];
-    const ScreenVertex& b = streams.screen[triangle.vertex[1]];
-    const ScreenVertex& c = streams.screen[triangle.vertex[2]];
-    const SampleRange x = samples_between(std::min({a.x, b.x, c.x}), std::max({a.x, b.x, c.x}), viewport.width);
-    const SampleRange y = samples_between(std::min({a.y, b.y, c.y}), std::max({a.y, b.y, c.y}), viewport.height);
-    if (x.first > x.last || y.first > y.last) return false;
-    chunk.triangles.push_back(triangle);
-    const auto tile = [tile_side](std::int32_t sample) { return static_cast<std::uint16_t>(sample / tile_side); };
-    chunk.tile_range.push_back({tile(x.first), tile(y.first), tile(x.last), tile(y.last)});
-    return true;
+/// What is to become of a triangle: at most one of the three reasons against drawing it.
+struct Verdict {
+    bool degenerate = false;
+    bool culled = false;
+    bool outside = false;
+    TriangleChunk::TileRange tiles{};  ///< that its samples may lie in, if it is drawn
+};
+
+/// Orient a triangle clockwise (y down) and judge it. The sign of the snapped area decides where it faces.
+/// No branch depends on the triangle: in a fine mesh half of them face away and half of the rest cover no sample, and a
+/// processor that guesses wrong loses more time than the arithmetic takes.
+Verdict judge(const VertexStreams& streams, const Frame& frame, const TileGrid& grid, ScreenTriangle& triangle) {
+    const ScreenVertex* const a = &streams.screen[triangle.vertex[0]];
+    const ScreenVertex* b = &streams.screen[triangle.vertex[1]];
+    const ScreenVertex* c = &streams.screen[triangle.vertex[2]];
+    const std::int64_t area = edge_function(a->x, a->y, b->x, b->y, c->x, c->y);
+    const bool front = area < 0;  // counter-clockwise with y up is negative with y down
+    const std::array<std::uint32_t, 3> v = triangle.vertex;
+    triangle.vertex = {v[0], front ? v[2] : v[1], front ? v[1] : v[2]};
+    const ScreenVertex* const second = front ? c : b;
+    c = front ? b : c;
+    b = second;
+
+    const SampleRange x = samples_between(std::min({a->x, b->x, c->x}), std::max({a->x, b->x, c->x}), frame.viewport.width);
+    const SampleRange y = samples_between(std::min({a->y, b->y, c->y}), std::max({a->y, b->y, c->y}), frame.viewport.height);
+    const bool no_centre = (x.first > x.last) | (y.first > y.last);
+    const bool one_centre = (x.first == x.last) & (y.first == y.last);
+    const bool misses_it = !covers_sample(*a, *b, *c, x.first, y.first);
+
+    Verdict verdict;
+    verdict.degenerate = area == 0;
+    verdict.culled = !verdict.degenerate & (front ? frame.cull == CullMode::front : frame.cull == CullMode::back);
+    verdict.outside = !verdict.degenerate & !verdict.culled & (no_centre | (one_centre & misses_it));
+    verdict.tiles = {grid.tile_of(x.first), grid.tile_of(y.first), grid.tile_of(x.last), grid.tile_of(y.last)};
+    return verdict;
 }
 
-/// Put the triangle, or count why not.
-void draw_or_count(const VertexStreams& streams, const Frame& frame, int tile_side, ScreenTriangle triangle,
-                   TriangleChunk& chunk) {
-    switch (classify(streams, frame, triangle)) {
-        case Fate::culled: ++chunk.counts.culled; return;
-        case Fate::degenerate: ++chunk.counts.degenerate; return;
-        case Fate::outside: ++chunk.counts.outside; return;
-        case Fate::drawn: break;
+/// Triangles that will be drawn, with the tiles that they touch; there is room for more behind the last.
+struct DrawList {
+    std::vector<ScreenTriangle> triangles;
+    std::vector<TriangleChunk::TileRange> tiles;
+    std::uint32_t count = 0;
+
+    void make_room(std::uint32_t more) {
+        if (triangles.size() >= count + more) return;
+        triangles.resize(count + more);
+        tiles.resize(count + more);
     }
-    if (append_triangle(streams, frame.viewport, tile_side, triangle, chunk)) {
-        ++chunk.counts.drawn;
-    } else {
-        ++chunk.counts.outside;
-    }
+};
+
+/// Put the triangle at the end of the list, and let it stay there only if it is to be drawn.
+void draw_or_count(const VertexStreams& streams, const Frame& frame, const TileGrid& grid, ScreenTriangle triangle,
+                   DrawList& list, TriangleCounts& counts) {
+    const Verdict verdict = judge(streams, frame, grid, triangle);
+    const bool drawn = !(verdict.degenerate | verdict.culled | verdict.outside);
+    list.triangles[list.count] = triangle;
+    list.tiles[list.count] = verdict.tiles;
+    list.count += drawn;
+    counts.drawn += drawn;
+    counts.degenerate += verdict.degenerate;
+    counts.culled += verdict.culled;
+    counts.outside += verdict.outside;
+}
+
+void assign(const DrawList& list, TriangleChunk& chunk) {
+    chunk.triangles.assign(list.triangles.begin(), list.triangles.begin() + list.count);
+    chunk.tile_range.assign(list.tiles.begin(), list.tiles.begin() + list.count);
 }
 
 /// The three corners of a triangle in clip space, computed again: only triangles for the clipper need them.
@@ -100,10 +123,14 @@ ClipPolygon clip_again(const MeshInstance& instance, const Frame& frame, const s
 }
 
 /// Set up the triangles of one chunk that need no clipping; the others are put aside in `pending`.
-void setup_chunk(const ChunkTask& task, const MeshInstance& instance, const Frame& frame, int tile_side, const VertexStreams& streams,
-                 TriangleChunk& chunk, std::vector<PendingClip>& pending) {
+void setup_chunk(const ChunkTask& task, const MeshInstance& instance, const Frame& frame, const TileGrid& grid,
+                 const VertexStreams& streams, DrawList& list, TriangleChunk& chunk, std::vector<PendingClip>& pending) {
+    chunk.counts = {};
+    chunk.counts.input = task.triangle_count;
     chunk.instance = task.instance;
     chunk.first_source = task.first_source;
+    list.count = 0;
+    list.make_room(kTrianglesPerChunk);
     const std::uint32_t* index = &instance.mesh->indices[3 * std::size_t{task.first_triangle}];
     for (std::uint32_t i = 0; i < task.triangle_count; ++i, index += 3) {
         ScreenTriangle triangle;
@@ -114,21 +141,17 @@ void setup_chunk(const ChunkTask& task, const MeshInstance& instance, const Fram
             triangle.vertex[corner] = instance.first_vertex + index[corner];
             needs_clip |= streams.screen[triangle.vertex[corner]].x == kNeedsClip;
         }
-        ++chunk.counts.input;
         if (!needs_clip) {
-            draw_or_count(streams, frame, tile_side, triangle, chunk);
+            draw_or_count(streams, frame, grid, triangle, list, chunk.counts);
             continue;
         }
         bool finite = true;
         const ClipPolygon polygon = clip_again(instance, frame, index, finite);
-        if (!finite) {
-            ++chunk.counts.non_finite;
-        } else if (polygon.count == 0) {
-            ++chunk.counts.outside;
-        } else {
-            pending.push_back({static_cast<std::uint32_t>(chunk.triangles.size()), triangle, polygon});
-        }
+        chunk.counts.non_finite += !finite;
+        chunk.counts.outside += finite && polygon.count == 0;
+        if (polygon.count > 0) pending.push_back({list.count, triangle, polygon});
     }
+    assign(list, chunk);
 }
 
 /// Weighted sum of an attribute at a triangle's corners, appended to its stream if that is in use.
@@ -153,36 +176,43 @@ std::uint32_t append_vertex(const ClipVertex& vertex, const std::array<std::uint
     return static_cast<std::uint32_t>(streams.screen.size() - 1);
 }
 
-/// Draw the clipped triangles of a chunk as fans, each at its place in the drawing order.
-void draw_clipped(const std::vector<PendingClip>& pending, const Frame& frame, int tile_side, VertexStreams& streams,
-                  TriangleChunk& chunk) {
-    TriangleChunk merged;
-    merged.counts = chunk.counts;
-    merged.instance = chunk.instance;
-    merged.first_source = chunk.first_source;
+/// Draw one clipped triangle as a fan around the polygon's first corner.
+void draw_fan(const PendingClip& clip, const Frame& frame, const TileGrid& grid, VertexStreams& streams, DrawList& list,
+              TriangleCounts& counts) {
+    const auto append = [&](int i) {
+        return append_vertex(clip.polygon.vertex[i], clip.triangle.vertex, frame.viewport, streams);
+    };
+    const std::uint32_t first = append(0);
+    std::uint32_t last = append(1);
+    list.make_room(static_cast<std::uint32_t>(clip.polygon.vertex.size()));
+    for (int i = 2; i < clip.polygon.count; ++i) {
+        const std::uint32_t next = append(i);
+        ScreenTriangle piece = clip.triangle;
+        piece.vertex = {first, last, next};
+        draw_or_count(streams, frame, grid, piece, list, counts);
+        last = next;
+    }
+    ++counts.clipped;
+}
+
+/// Draw the clipped triangles of a chunk, each at its place in the drawing order.
+void draw_clipped(const std::vector<PendingClip>& pending, const Frame& frame, const TileGrid& grid,
+                  VertexStreams& streams, TriangleChunk& chunk) {
+    DrawList merged;
     std::uint32_t copied = 0;
     const auto copy_until = [&](std::uint32_t place) {
-        for (; copied < place; ++copied) {
-            merged.triangles.push_back(chunk.triangles[copied]);
-            merged.tile_range.push_back(chunk.tile_range[copied]);
+        merged.make_room(place - copied);
+        for (; copied < place; ++copied, ++merged.count) {
+            merged.triangles[merged.count] = chunk.triangles[copied];
+            merged.tiles[merged.count] = chunk.tile_range[copied];
         }
     };
     for (const PendingClip& clip : pending) {
         copy_until(clip.place);
-        ++merged.counts.clipped;
-        const std::uint32_t first = append_vertex(clip.polygon.vertex[0], clip.triangle.vertex, frame.viewport, streams);
-        std::uint32_t last = append_vertex(clip.polygon.vertex[1], clip.triangle.vertex, frame.viewport, streams);
-        for (int i = 2; i < clip.polygon.count; ++i) {
-            const std::uint32_t next =
-                append_vertex(clip.polygon.vertex[i], clip.triangle.vertex, frame.viewport, streams);
-            ScreenTriangle piece = clip.triangle;
-            piece.vertex = {first, last, next};
-            draw_or_count(streams, frame, tile_side, piece, merged);
-            last = next;
-        }
+        draw_fan(clip, frame, grid, streams, merged, chunk.counts);
     }
     copy_until(static_cast<std::uint32_t>(chunk.triangles.size()));
-    chunk = std::move(merged);
+    assign(merged, chunk);
 }
 
 /// Sort the chunk's triangles into tiles: count, then fill. The order within a tile stays the drawing order.
@@ -240,6 +270,8 @@ void add(TriangleCounts& sum, const TriangleCounts& counts) {
 TileGrid make_tile_grid(const Viewport& viewport, int samples) {
     TileGrid grid;
     grid.tile_side = kTileSide / samples * samples;
+    const std::uint32_t side = static_cast<std::uint32_t>(grid.tile_side);
+    grid.reciprocal = ((1u << 20) + side - 1) / side;
     grid.columns = (viewport.width + grid.tile_side - 1) / grid.tile_side;
     grid.rows = (viewport.height + grid.tile_side - 1) / grid.tile_side;
     return grid;
@@ -254,17 +286,17 @@ TriangleCounts setup_triangles(const std::vector<MeshInstance>& instances, const
     set.grid = make_tile_grid(viewport, samples);
     set.chunks.resize(tasks.size());
     std::vector<std::vector<PendingClip>> pending(tasks.size());
-#pragma omp parallel for schedule(dynamic)
-    for (int i = 0; i < chunk_count; ++i) {
-        TriangleChunk& chunk = set.chunks[i];
-        chunk.triangles.clear();
-        chunk.tile_range.clear();
-        chunk.counts = {};
-        setup_chunk(tasks[i], instances[tasks[i].instance], frame, set.grid.tile_side, streams, chunk, pending[i]);
+#pragma omp parallel
+    {
+        DrawList list;
+#pragma omp for schedule(dynamic)
+        for (int i = 0; i < chunk_count; ++i) {
+            setup_chunk(tasks[i], instances[tasks[i].instance], frame, set.grid, streams, list, set.chunks[i], pending[i]);
+        }
     }
     // Clipped triangles append vertices to the streams: one thread, in order, so that their numbers never change.
     for (int i = 0; i < chunk_count; ++i) {
-        if (!pending[i].empty()) draw_clipped(pending[i], frame, set.grid.tile_side, streams, set.chunks[i]);
+        if (!pending[i].empty()) draw_clipped(pending[i], frame, set.grid, streams, set.chunks[i]);
     }
     TriangleCounts sum;
 #pragma omp parallel for schedule(dynamic)

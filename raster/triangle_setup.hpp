@@ -56,6 +56,13 @@ struct TileGrid {
     int tile_side = kTileSide;  ///< samples a side, at most kTileSide
     int columns = 0;
     int rows = 0;
+
+    /// sample / tile_side without a division: exact for 0 <= sample < kMaxImageSide, because the error of the
+    /// reciprocal, sample / 2^20 < 1/64, never reaches the next tile.
+    [[nodiscard]] std::uint16_t tile_of(std::int32_t sample) const {
+        return static_cast<std::uint16_t>(static_cast<std::uint32_t>(sample) * reciprocal >> 20);
+    }
+    std::uint32_t reciprocal = (1u << 20) / kTileSide;  ///< 2^20 / tile_side, rounded up
 };
 
 /// Tiles whose side is a multiple of `samples`, so that a pixel's samples never lie in two tiles.

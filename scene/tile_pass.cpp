@@ -15,6 +15,7 @@ using raster::TileArea;
 
 /// Runs of one material stand together afterwards; within a material they keep their order.
 void group_by_material(Run* runs, int count) {
+    if (count == 0) return;
     const auto other_material = [&](const Run& run) { return run.material != runs[0].material; };
     if (std::none_of(runs, runs + count, other_material)) return;
     std::stable_sort(runs, runs + count, [](const Run& a, const Run& b) { return a.material < b.material; });
@@ -31,19 +32,34 @@ int runs_of_one_batch(const Run* runs, int count) {
     return taken;
 }
 
-/// Flat shading: every sample of a run has its triangle's colour.
-void fill_flat_color(const RenderBuffers& buffers, const Run* runs, int count, raster::Fragments& fragments) {
+/// The colour of a flat triangle, lit once.
+glm::vec3 flat_color_of(const RenderBuffers& buffers, std::uint32_t id) {
+    return buffers.flat_color[id >> raster::kChunkShift][id & ((1u << raster::kChunkShift) - 1)];
+}
+
+/// Flat shading in fog: every sample of a run starts with its triangle's colour.
+KREDA_BATCH_LOOP void fill_flat_color(const RenderBuffers& buffers, const Run* runs, int count,
+                                      raster::Fragments& fragments) {
     int first = 0;
     for (int r = 0; r < count; ++r) {
-        const std::uint32_t id = runs[r].triangle;
-        const std::size_t index = id & ((1u << raster::kChunkShift) - 1);
-        const glm::vec3 color = buffers.flat_color[id >> raster::kChunkShift][index];
-        std::fill_n(fragments.color.x + first, runs[r].count, color.x);
-        std::fill_n(fragments.color.y + first, runs[r].count, color.y);
-        std::fill_n(fragments.color.z + first, runs[r].count, color.z);
+        const glm::vec3 color = flat_color_of(buffers, runs[r].triangle);
+        for (int i = first; i < first + runs[r].count; ++i) fragments.color.set(i, color);
         first += runs[r].count;
     }
     fragments.count = first;
+}
+
+/// Flat shading in clear air: a run has its triangle's colour, and that is all.
+KREDA_BATCH_LOOP void paint_flat_runs(const RenderBuffers& buffers, const Run* runs, int count, TileColor& color) {
+    for (int r = 0; r < count; ++r) {
+        const glm::vec3 radiance = flat_color_of(buffers, runs[r].triangle);
+        const int first = runs[r].y * kTileSide + runs[r].x;
+        for (int i = first; i < first + runs[r].count; ++i) {
+            color.plane[0][i] = radiance.x;
+            color.plane[1][i] = radiance.y;
+            color.plane[2][i] = radiance.z;
+        }
+    }
 }
 
 /// The radiance of every point of the batch, fog included.
@@ -60,14 +76,20 @@ void shade_batch(const TileFrame& frame, std::uint32_t material, TileScratch& sc
     }
 }
 
+/// Runs are short: a plain loop beats a call of memcpy (scene/CMake flag -fno-tree-loop-distribute-patterns keeps it one).
+inline void copy_run(const float* __restrict from, int count, float* __restrict to) {
+    for (int i = 0; i < count; ++i) to[i] = from[i];
+}
+
 /// Put the batch's radiance where its runs lie in the tile.
-void scatter_runs(const raster::Channel3& radiance, const Run* runs, int count, TileColor& color) {
+KREDA_BATCH_LOOP void scatter_runs(const raster::Channel3& radiance, const Run* runs, int count,
+                                   TileColor& color) {
     int first = 0;
     for (int r = 0; r < count; ++r) {
         const int to = runs[r].y * kTileSide + runs[r].x;
-        std::copy_n(radiance.x + first, runs[r].count, color.plane[0] + to);
-        std::copy_n(radiance.y + first, runs[r].count, color.plane[1] + to);
-        std::copy_n(radiance.z + first, runs[r].count, color.plane[2] + to);
+        copy_run(radiance.x + first, runs[r].count, color.plane[0] + to);
+        copy_run(radiance.y + first, runs[r].count, color.plane[1] + to);
+        copy_run(radiance.z + first, runs[r].count, color.plane[2] + to);
         first += runs[r].count;
     }
 }
@@ -86,7 +108,6 @@ void work_batch(const TileFrame& frame, const TileArea& area, const Run* runs, i
     scratch.interpolation_ms += watch.lap_ms();
     shade_batch(frame, runs[0].material, scratch);
     scatter_runs(scratch.lighting.radiance, runs, count, scratch.color);
-    scratch.samples_shaded += static_cast<std::uint64_t>(scratch.fragments.count);
     scratch.lighting_ms += watch.lap_ms();
 }
 
@@ -115,6 +136,30 @@ void write_film(const TileArea& area, int n, const TileColor& color, raster::Ima
     }
 }
 
+int samples_of(const Run* runs, int count) {
+    int samples = 0;
+    for (int r = 0; r < count; ++r) samples += runs[r].count;
+    return samples;
+}
+
+void fill_background(const glm::vec3& background, TileColor& color) {
+    for (int c = 0; c < 3; ++c) std::fill(std::begin(color.plane[c]), std::end(color.plane[c]), background[c]);
+}
+
+/// Shade all runs of the tile, batch by batch.
+void shade_runs(const TileFrame& frame, const TileArea& area, int run_count, TileScratch& scratch) {
+    if (frame.plan.frequency == ShadingFrequency::flat && !frame.plan.fragment.any()) {
+        return paint_flat_runs(frame.buffers, scratch.runs, run_count, scratch.color);
+    }
+    group_by_material(scratch.runs, run_count);
+    for (int done = 0; done < run_count;) {
+        const Run* runs = scratch.runs + done;
+        const int count = runs_of_one_batch(runs, run_count - done);
+        work_batch(frame, area, runs, count, scratch);
+        done += count;
+    }
+}
+
 }  // namespace
 
 void render_tile(const TileFrame& frame, int tile_index, TileScratch& scratch) {
@@ -122,17 +167,11 @@ void render_tile(const TileFrame& frame, int tile_index, TileScratch& scratch) {
     const TileArea area = tile_area(frame.buffers.triangles.grid, frame.plan.viewport, tile_index);
     rasterize_tile(frame.buffers.streams, frame.buffers.triangles, area, scratch.visibility);
     const int run_count = find_runs(scratch.visibility, area, frame.buffers.triangles, scratch.runs);
-    if (run_count > 0) group_by_material(scratch.runs, run_count);
-    for (int c = 0; c < 3; ++c) {
-        std::fill(std::begin(scratch.color.plane[c]), std::end(scratch.color.plane[c]), frame.scene.image.background[c]);
-    }
+    const int covered = samples_of(scratch.runs, run_count);
+    if (covered < area.width * area.height) fill_background(frame.scene.image.background, scratch.color);
     scratch.visibility_ms += watch.lap_ms();
-    for (int done = 0; done < run_count;) {
-        const Run* runs = scratch.runs + done;
-        const int count = runs_of_one_batch(runs, run_count - done);
-        work_batch(frame, area, runs, count, scratch);
-        done += count;
-    }
+    shade_runs(frame, area, run_count, scratch);
+    scratch.samples_shaded += static_cast<std::uint64_t>(covered);
     watch.lap_ms();
     write_film(area, frame.plan.samples, scratch.color, frame.buffers.film);
     scratch.film_ms += watch.lap_ms();
