@@ -110,7 +110,8 @@ inline float exp2_of_sum(float x, float x_low) {
     const IntegerFraction split = split_fraction(x);
     const float p      = exp2_of_fraction(split.fraction + x_low);
     const float normal = scale_by_power_of_two(p, split.integer_bits);
-    const float result = x >= -126.0f ? normal : 0.0f;
+    const float above_underflow = (x + 126.0f) + x_low;                      // x = -126 with x_low < 0 is below 2^-126
+    const float result = above_underflow >= 0.0f ? normal : 0.0f;
     return x < 128.0f ? result : x + kInfinity;                              // NaN + inf is NaN
 }
 
@@ -183,8 +184,7 @@ inline float pow(float x, float y) {
     const float  exponent_high = static_cast<float>(exponent);
     const float  exponent_low  = static_cast<float>(exponent - exponent_high);
     const float  result        = exp2_of_sum(exponent_high, exponent_low);
-    const float  no_subnormal  = result < kMinNormal ? 0.0f : result;        // exponent_high = -126, exponent_low < 0
-    return y == 0.0f ? 1.0f : no_subnormal;
+    return y == 0.0f ? 1.0f : result;
 }
 
 }  // namespace kreda::raster
