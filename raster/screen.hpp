@@ -1,6 +1,7 @@
 // From clip space to the pixel grid: the perspective divide, the snap to 1/256 pixel, exact edge functions.
 #pragma once
 
+#include <algorithm>
 #include <cstdint>
 
 #include <glm/vec2.hpp>
@@ -77,6 +78,36 @@ inline std::int64_t edge_function(std::int64_t a_x, std::int64_t a_y, std::int64
 /// triangle below it) or a left edge. Edge direction b - a, triangle to the right of it, y down.
 inline bool is_top_left(std::int64_t d_x, std::int64_t d_y) {
     return d_y < 0 || (d_y == 0 && d_x > 0);
+}
+
+/// Does the triangle a, b, c (clockwise, y down) cover the centre of sample (x, y)?
+/// A centre exactly on an edge (E = 0) is inside only for top and left edges: the others ask for E > 0.
+inline bool covers_sample(const ScreenVertex& a, const ScreenVertex& b, const ScreenVertex& c, int x, int y) {
+    const std::int64_t p_x = x * kSubpixels + kPixelCentre;
+    const std::int64_t p_y = y * kSubpixels + kPixelCentre;
+    const std::int64_t least_ab = is_top_left(b.x - a.x, b.y - a.y) ? 0 : 1;
+    const std::int64_t least_bc = is_top_left(c.x - b.x, c.y - b.y) ? 0 : 1;
+    const std::int64_t least_ca = is_top_left(a.x - c.x, a.y - c.y) ? 0 : 1;
+    const bool inside_ab = edge_function(a.x, a.y, b.x, b.y, p_x, p_y) >= least_ab;
+    const bool inside_bc = edge_function(b.x, b.y, c.x, c.y, p_x, p_y) >= least_bc;
+    const bool inside_ca = edge_function(c.x, c.y, a.x, a.y, p_x, p_y) >= least_ca;
+    return inside_ab & inside_bc & inside_ca;
+}
+
+/// Samples from x_first to x_last and y_first to y_last; none if a first is greater than its last.
+struct SampleBox {
+    int x_first = 0, y_first = 0, x_last = -1, y_last = -1;
+};
+
+/// The samples of the image that a triangle may cover.
+inline SampleBox sample_box(const ScreenVertex& a, const ScreenVertex& b, const ScreenVertex& c, int width,
+                            int height) {
+    SampleBox box;
+    box.x_first = std::max(std::min({a.x, b.x, c.x}) >> kSubpixelBits, 0);
+    box.y_first = std::max(std::min({a.y, b.y, c.y}) >> kSubpixelBits, 0);
+    box.x_last = std::min(std::max({a.x, b.x, c.x}) >> kSubpixelBits, width - 1);
+    box.y_last = std::min(std::max({a.y, b.y, c.y}) >> kSubpixelBits, height - 1);
+    return box;
 }
 
 }  // namespace kreda::raster
