@@ -1,0 +1,171 @@
+#include "examples/draw.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include <glm/geometric.hpp>
+
+#include "examples/font.hpp"
+#include "raster/film.hpp"
+
+namespace kreda::examples {
+
+namespace {
+
+constexpr int kGap = 4;
+
+void blend(Image& image, int x, int y, const glm::vec3& color, float coverage) {
+    if (coverage <= 0.0f) return;
+    image.set_rgb(x, y, (1.0f - coverage) * image.rgb(x, y) + coverage * color);
+}
+
+/// The pixels that a shape within [low, high] may touch.
+struct Box { int x0, y0, x1, y1; };
+Box box_of(const Image& image, glm::vec2 low, glm::vec2 high) {
+    const auto cut = [](float value, int size) {
+        return static_cast<int>(std::floor(std::clamp(value, 0.0f, static_cast<float>(size))));
+    };
+    return {cut(low.x - 1.0f, image.width), cut(low.y - 1.0f, image.height), cut(high.x + 2.0f, image.width),
+            cut(high.y + 2.0f, image.height)};
+}
+
+float distance_to_segment(glm::vec2 p, glm::vec2 a, glm::vec2 b) {
+    const glm::vec2 ab = b - a;
+    const float length2 = glm::dot(ab, ab);
+    const float t = length2 > 0.0f ? std::clamp(glm::dot(p - a, ab) / length2, 0.0f, 1.0f) : 0.0f;
+    const glm::vec2 d = p - (a + t * ab);
+    return std::sqrt(glm::dot(d, d));
+}
+
+}  // namespace
+
+glm::vec3 srgb(std::uint32_t rrggbb) {
+    const auto channel = [&](int shift) {
+        return raster::linear_from_srgb(static_cast<float>((rrggbb >> shift) & 0xffu) / 255.0f);
+    };
+    return {channel(16), channel(8), channel(0)};
+}
+
+Image make_board(int width, int height, const glm::vec3& color) {
+    Image image = raster::make_image(width, height, 3);
+    for (int c = 0; c < 3; ++c) std::fill_n(image.plane(c), image.plane_size(), color[c]);
+    return image;
+}
+
+Image grey_image(int width, int height, const std::vector<float>& values) {
+    Image image = raster::make_image(width, height, 3);
+    for (int c = 0; c < 3; ++c) std::copy_n(values.begin(), image.plane_size(), image.plane(c));
+    return image;
+}
+
+glm::vec3 signed_color(float value) {
+    const float strength = std::min(std::abs(value), 1.0f);
+    return (1.0f - strength) * kBoard + strength * (value < 0.0f ? kBlue : kOrange);
+}
+
+void fill_rectangle(Image& image, int x, int y, int width, int height, const glm::vec3& color) {
+    for (int j = std::max(y, 0); j < std::min(y + height, image.height); ++j) {
+        for (int i = std::max(x, 0); i < std::min(x + width, image.width); ++i) image.set_rgb(i, j, color);
+    }
+}
+
+void draw_line(Image& image, glm::vec2 from, glm::vec2 to, float width, const glm::vec3& color) {
+    const glm::vec2 reach(0.5f * width);
+    const Box box = box_of(image, glm::min(from, to) - reach, glm::max(from, to) + reach);
+    for (int y = box.y0; y < box.y1; ++y) {
+        for (int x = box.x0; x < box.x1; ++x) {
+            const float d = distance_to_segment(glm::vec2(x, y) + 0.5f, from, to);
+            blend(image, x, y, color, std::clamp(0.5f * width + 0.5f - d, 0.0f, std::min(width, 1.0f)));
+        }
+    }
+}
+
+void draw_disc(Image& image, glm::vec2 center, float radius, const glm::vec3& color) {
+    draw_line(image, center, center, 2.0f * radius, color);
+}
+
+void draw_triangle_outline(Image& image, const glm::vec2 (&corner)[3], float width, const glm::vec3& color) {
+    for (int i = 0; i < 3; ++i) draw_line(image, corner[i], corner[(i + 1) % 3], width, color);
+}
+
+void draw_text(Image& image, int x, int y, std::string_view text, const glm::vec3& color, int scale) {
+    for (const char character : text) {
+        const bool printable = character >= ' ' && character <= '~';
+        const Glyph& glyph = kFont[static_cast<std::size_t>((printable ? character : '?') - ' ')];
+        for (int row = 0; row < kGlyphHeight; ++row) {
+            for (int column = 0; column < kGlyphWidth; ++column) {
+                if ((glyph[row] >> (kGlyphWidth - 1 - column) & 1) == 0) continue;
+                fill_rectangle(image, x + column * scale, y + row * scale, scale, scale, color);
+            }
+        }
+        x += kGlyphAdvance * scale;
+    }
+}
+
+int text_scale(int picture_height) {
+    return std::max(1, picture_height / 180);
+}
+
+void draw_caption(Image& image, std::string_view text, int scale, const glm::vec3& color) {
+    const int margin = 2 * scale;
+    const int width = static_cast<int>(text.size()) * kGlyphAdvance * scale - scale + 2 * margin;
+    const int height = kGlyphHeight * scale + 2 * margin;
+    fill_rectangle(image, 0, image.height - height, width, height, kBoard);
+    draw_text(image, margin, image.height - height + margin, text, color, scale);
+}
+
+Image enlarge(const Image& image, int factor) {
+    Image large = raster::make_image(image.width * factor, image.height * factor, image.channels);
+    for (int c = 0; c < image.channels; ++c) {
+        for (int y = 0; y < large.height; ++y) {
+            for (int x = 0; x < large.width; ++x) large.at(c, x, y) = image.at(c, x / factor, y / factor);
+        }
+    }
+    return large;
+}
+
+Image enlarge_with_grid(const Image& image, int factor) {
+    Image large = enlarge(image, factor);
+    const float unit = static_cast<float>(factor);
+    for (int x = 0; x < image.width; ++x) fill_rectangle(large, x * factor, 0, 1, large.height, kSlate);
+    for (int y = 0; y < image.height; ++y) fill_rectangle(large, 0, y * factor, large.width, 1, kSlate);
+    for (int y = 0; y < image.height; ++y) {
+        for (int x = 0; x < image.width; ++x) {
+            draw_disc(large, (glm::vec2(x, y) + 0.5f) * unit, 0.06f * unit, kDust);
+        }
+    }
+    return large;
+}
+
+Image crop(const Image& image, int x, int y, int width, int height) {
+    Image part = make_board(width, height);
+    paste(part, image, -x, -y);
+    return part;
+}
+
+void paste(Image& onto, const Image& image, int x, int y) {
+    for (int j = std::max(0, -y); j < std::min(image.height, onto.height - y); ++j) {
+        for (int i = std::max(0, -x); i < std::min(image.width, onto.width - x); ++i) {
+            onto.set_rgb(x + i, y + j, image.rgb(i, j));
+        }
+    }
+}
+
+glm::ivec2 panel_size(int width, int height, int columns, int rows) {
+    return {(width - (columns - 1) * kGap) / columns, (height - (rows - 1) * kGap) / rows};
+}
+
+Image montage(int width, int height, int columns, const std::vector<Image>& panels) {
+    const int rows = (static_cast<int>(panels.size()) + columns - 1) / columns;
+    const glm::ivec2 cell = panel_size(width, height, columns, rows);
+    Image whole = make_board(width, height, kSlate);
+    for (int i = 0; i < static_cast<int>(panels.size()); ++i) {
+        const Image& panel = panels[i];
+        const int left = i % columns * (cell.x + kGap);
+        const int top = i / columns * (cell.y + kGap);
+        paste(whole, panel, left + (cell.x - panel.width) / 2, top + (cell.y - panel.height) / 2);
+    }
+    return whole;
+}
+
+}  // namespace kreda::examples

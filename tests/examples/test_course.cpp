@@ -1,0 +1,152 @@
+// The pages, cards and golden images of the course hold together.
+#include <filesystem>
+#include <regex>
+#include <sstream>
+
+#include <doctest/doctest.h>
+
+#include "course.hpp"
+#include "golden.hpp"
+
+using namespace kreda::tests;
+
+namespace {
+
+const std::vector<std::string> kHeadings = {"Goal", "The idea", "In the code", "Step through it", "Break it",
+                                            "Exercises", "Sources"};
+
+std::vector<std::string> lines_of(const std::string& text) {
+    std::vector<std::string> lines;
+    std::istringstream stream(text);
+    for (std::string line; std::getline(stream, line);) lines.push_back(line);
+    return lines;
+}
+
+bool is_identifier_char(char c) {
+    return std::isalnum(static_cast<unsigned char>(c)) != 0 || c == '_';
+}
+
+/// Does the word occur in the text, not as a part of a longer word?
+bool has_word(const std::string& text, const std::string& word) {
+    for (std::size_t at = text.find(word); at != std::string::npos; at = text.find(word, at + 1)) {
+        const bool starts = at == 0 || !is_identifier_char(text[at - 1]);
+        const std::size_t end = at + word.size();
+        if (starts && (end == text.size() || !is_identifier_char(text[end]))) return true;
+    }
+    return false;
+}
+
+/// What stands between backticks in a cell of a table.
+std::vector<std::string> quoted(const std::string& cell) {
+    std::vector<std::string> words;
+    const std::regex between("`([^`]+)`");
+    for (std::sregex_iterator it(cell.begin(), cell.end(), between), end; it != end; ++it) words.push_back((*it)[1]);
+    return words;
+}
+
+std::vector<std::string> cells_of(const std::string& row) {
+    std::vector<std::string> cells;
+    std::istringstream stream(row.substr(1));
+    for (std::string cell; std::getline(stream, cell, '|');) cells.push_back(cell);
+    return cells;
+}
+
+}  // namespace
+
+TEST_CASE("course: every page has the same headings in the same order") {
+    for (const std::string& name : example_names()) {
+        CAPTURE(name);
+        std::vector<std::string> headings;
+        for (const std::string& line : lines_of(repository_text("docs/" + name + ".md"))) {
+            if (line.starts_with("## ")) headings.push_back(line.substr(3));
+        }
+        CHECK(headings == kHeadings);
+    }
+}
+
+TEST_CASE("course: every identifier of an In the code table is in the file named beside it") {
+    for (const std::string& name : example_names()) {
+        bool in_table = false;
+        int rows = 0;
+        for (const std::string& line : lines_of(repository_text("docs/" + name + ".md"))) {
+            if (line.starts_with("## ")) in_table = line == "## In the code";
+            if (!in_table || !line.starts_with("|") || line.find('`') == std::string::npos) continue;
+            ++rows;
+            const std::vector<std::string> cells = cells_of(line);
+            REQUIRE_MESSAGE(cells.size() >= 3, name, ": ", line);
+            for (const std::string& file : quoted(cells[2])) {
+                const std::string source = repository_text(file);
+                for (std::string identifier : quoted(cells[1])) {
+                    CAPTURE(name);
+                    CAPTURE(file);
+                    CAPTURE(identifier);
+                    CHECK(has_word(source, identifier.substr(0, identifier.find('('))));
+                }
+            }
+        }
+        CAPTURE(name);
+        CHECK(rows > 0);
+    }
+}
+
+TEST_CASE("course: every marked number stands in words on its own line") {
+    const std::regex mark("<!-- number: ([A-Za-z0-9_]+) = ([-0-9.e]+) -->");
+    for (const std::string& name : example_names()) {
+        for (const std::string& line : lines_of(repository_text("docs/" + name + ".md"))) {
+            std::smatch match;
+            if (!std::regex_search(line, match, mark)) continue;
+            CAPTURE(name);
+            CAPTURE(line);
+            CHECK(has_word(std::regex_replace(line, mark, ""), match[2]));
+        }
+    }
+}
+
+TEST_CASE("course: every example has its header card and fits a screen or two") {
+    for (const std::string& name : example_names()) {
+        CAPTURE(name);
+        const std::vector<std::string> lines = lines_of(repository_text("examples/" + name + "/main.cpp"));
+        REQUIRE(lines.size() > 3);
+        CHECK(lines[0].starts_with("// " + name + ": "));
+        CHECK(lines[1].starts_with("// Page docs/" + name + ".md | After "));
+        CHECK(lines[1].find("| New: ") != std::string::npos);
+        CHECK(lines[2].starts_with("// Break at: "));
+        CHECK(lines[2].find("| Look at: ") != std::string::npos);
+        CHECK(lines[2].find("| Try: ") != std::string::npos);
+        CHECK(lines.size() <= 125);
+    }
+}
+
+TEST_CASE("course: every picture on a page exists and every golden image is small") {
+    const std::regex picture(R"(\]\(\.\./(tests/golden/[^)]+)\))");
+    for (const std::string& name : example_names()) {
+        const std::string page = repository_text("docs/" + name + ".md");
+        int pictures = 0;
+        for (std::sregex_iterator it(page.begin(), page.end(), picture), end; it != end; ++it, ++pictures) {
+            const std::string file = std::string(KREDA_SOURCE_DIR) + "/" + (*it)[1].str();
+            CAPTURE(file);
+            REQUIRE(std::filesystem::exists(file));
+            CHECK(std::filesystem::file_size(file) < 60 * 1024);
+        }
+        CAPTURE(name);
+        CHECK(pictures > 0);
+    }
+}
+
+TEST_CASE("golden: one byte changed in one channel is found where it is") {
+    kreda::raster::Image image = kreda::raster::make_image(5, 4, 3);
+    kreda::raster::Image other = image;
+    CHECK(compare_bytes(image, other).none());
+    other.at(2, 3, 1) = 1.0f / 255.0f;
+    const ImageDifference difference = compare_bytes(image, other);
+    CHECK(difference.pixels == 1);
+    CHECK(difference.largest == 1);
+    CHECK(difference.first_x == 3);
+    CHECK(difference.first_y == 1);
+    CHECK(amplified_difference(image, other).at(2, 3, 1) == doctest::Approx(16.0 / 255.0));
+}
+
+TEST_CASE("golden: another size or number of channels is never equal") {
+    CHECK_FALSE(compare_bytes(kreda::raster::make_image(5, 4, 3), kreda::raster::make_image(4, 5, 3)).none());
+    CHECK_FALSE(compare_bytes(kreda::raster::make_image(5, 4, 3), kreda::raster::make_image(5, 4, 1)).none());
+}
