@@ -1,0 +1,205 @@
+// What is wrong with an OBJ or MTL file becomes one line with the file, the line and the column. Never a crash.
+#include "scene/mesh_file.hpp"
+
+#include <random>
+
+#include <doctest/doctest.h>
+
+#include "tests/scene/temp_folder.hpp"
+
+using kreda::scene::load_mesh_file;
+using kreda::scene::UserError;
+using kreda::tests::TempFolder;
+
+namespace {
+
+std::string error_of_file(const std::string& path, bool allow_outside = false) {
+    try {
+        kreda::scene::MeshFileOptions options;
+        options.allow_outside = allow_outside;
+        (void)load_mesh_file(path, options);
+    } catch (const UserError& error) {
+        return error.what();
+    }
+    return "no error";
+}
+
+/// The message behind the folder's name: "a.obj:LINE:COL: ...".
+std::string error_of(const std::string& obj, const std::string& mtl = "") {
+    const TempFolder folder;
+    if (!mtl.empty()) folder.write("a.mtl", mtl);
+    const std::string message = error_of_file(folder.write("a.obj", obj));
+    const std::string start = folder.path.string() + "/";
+    return message.starts_with(start) ? message.substr(start.size()) : message;
+}
+
+bool has(const std::string& message, const std::string& words) { return message.find(words) != message.npos; }
+
+const std::string kVertices = "v 0 0 0\nv 1 0 0\nv 0 1 0\n";
+
+struct Bad {
+    std::string text;   // behind kVertices: starts in line 4
+    std::string place;  // how the message starts
+    std::string words;  // what it says
+};
+
+}  // namespace
+
+TEST_CASE("mesh errors: indices outside the file are found where they stand") {
+    for (const Bad& bad : {Bad{"f 1 2 4\n", "a.obj:4:7: '4': ", "no such position: the file has 3"},
+                           Bad{"f 1 2 0\n", "a.obj:4:7: '0': ", "indices count from 1"},
+                           Bad{"f 1 2 -4\n", "a.obj:4:7: '-4': ", "there are 3 before this line"},
+                           Bad{"f 1 2 4294967299\n", "a.obj:4:7: '4294967299'", "no such position"},  // 2^32 + 3
+                           Bad{"f 1 2 -4294967295\n", "a.obj:4:7: '-4294967295'", "no such position"},
+                           Bad{"f 1 2 99999999999999999999\n", "a.obj:4:7: ", "no such position"},  // beyond 64 bits
+                           Bad{"f 1 2 -99999999999999999999\n", "a.obj:4:7: ", "no such position"},
+                           Bad{"f 1/1 2/1 3/1\n", "a.obj:4:3: '1/1'", "no such texture coordinate: the file has 0"},
+                           Bad{"f 1//1 2//1 3//1\n", "a.obj:4:3: '1//1'", "no such normal: the file has 0"},
+                           Bad{"f 1 2 3\nvt 0 0\n\tf 1/1 2/1 3/2 # c\n", "a.obj:6:12: '3/2'", "the file has 1"},
+                           Bad{"f 1 2 3\nf 1 2 \\\n  7\n", "a.obj:6:3: '7'", "no such position"}}) {
+        CAPTURE(bad.text);
+        const std::string message = error_of(kVertices + bad.text);
+        CAPTURE(message);
+        CHECK(message.starts_with(bad.place));
+        CHECK(has(message, bad.words));
+    }
+    CHECK(error_of("f -1 -2 -3\n" + kVertices).starts_with("a.obj:1:3: '-1': no such position: there are 0"));
+    CHECK(error_of("v 0 0 0\rv 1 0 0\rv 0 1 0\rf 1 2 4\r").starts_with("a.obj:4:7: "));
+    CHECK(error_of("v 0 0 0\r\nv 1 0 0\r\nv 0 1 0\r\nf 1 2 4\r\n").starts_with("a.obj:4:7: "));
+    CHECK(error_of("\xef\xbb\xbfv x 0 0\n").starts_with("a.obj:1:3: "));
+}
+
+TEST_CASE("mesh errors: numbers that are none are found where they stand") {
+    for (const Bad& bad : {Bad{"v nan 0 0\n", "a.obj:4:3: 'nan'", "finite"},
+                           Bad{"v 0 -inf 0\n", "a.obj:4:5: '-inf'", "finite"},
+                           Bad{"v 0 0 1e39\n", "a.obj:4:7: '1e39'", "at most 3.4e38"},
+                           Bad{"v 0 0 1e999\n", "a.obj:4:7: '1e999'", "at most 3.4e38"},
+                           Bad{"v 1,5 0 0\n", "a.obj:4:3: '1,5'", "decimals with a point"},
+                           Bad{"v 1 2\n", "a.obj:4:6: the line ends", "expected a z coordinate"},
+                           Bad{"v\n", "a.obj:4:2: the line ends", "expected an x coordinate"},
+                           Bad{"v 1 2 3 4 5\n", "a.obj:4:12: ", "wrong number of coordinates"},
+                           Bad{"v 1 2 3 4 5 6 7 8\n", "a.obj:4:17: '8'", "wrong number of coordinates"},
+                           Bad{"v 1 2 0x3\n", "a.obj:4:7: '0x3'", "a number"},
+                           Bad{"v 1 2 3m\n", "a.obj:4:7: '3m'", "a number"},
+                           Bad{"v 1 2 +-3\n", "a.obj:4:7: '+-3'", "a number"},
+                           Bad{"vt\n", "a.obj:4:3: the line ends", "texture coordinate"},
+                           Bad{"vt inf\n", "a.obj:4:4: 'inf'", "finite"},
+                           Bad{"vt 1 2 3 4\n", "a.obj:4:10: '4'", "1, 2 or 3"},
+                           Bad{"vn 0 1\n", "a.obj:4:7: the line ends", "normal"},
+                           Bad{"vn 0 0 1 0\n", "a.obj:4:10: '0'", "a normal has 3"},
+                           Bad{"f 1 2\n", "a.obj:4:6: ", "at least 3 corners, found 2"},
+                           Bad{"f 1 2 3.5\n", "a.obj:4:7: '3.5'", "expected a corner"},
+                           Bad{"f 1/ 2/ x/\n", "a.obj:4:9: 'x/'", "expected a corner"},
+                           Bad{"f 1///1 2 3\n", "a.obj:4:3: ", "expected a corner"},
+                           Bad{"f 1,2,3\n", "a.obj:4:3: '1,2,3'", "expected a corner"},
+                           Bad{"s smooth\n", "a.obj:4:3: 'smooth'", "a number or off"}}) {
+        CAPTURE(bad.text);
+        const std::string message = error_of(kVertices + bad.text + "f 1 2 3\n");
+        CAPTURE(message);
+        CHECK(message.starts_with(bad.place));
+        CHECK(has(message, bad.words));
+    }
+}
+
+TEST_CASE("mesh errors: a face of more than 10000 corners is refused") {
+    std::string face = "f";
+    for (int i = 0; i < 10001; ++i) face += " 1";
+    CHECK(has(error_of(kVertices + face), "10000 corners at most"));
+}
+
+TEST_CASE("mesh errors: what is not a mesh says so") {
+    CHECK(has(error_of(""), "a.obj: holds no triangle"));
+    CHECK(has(error_of("hello\nworld\n"), "holds no triangle"));
+    CHECK(has(error_of(kVertices), "holds no triangle"));
+    CHECK(has(error_of(kVertices + "f 1 1 1\n"), "holds no triangle"));
+    CHECK(has(error_of(std::string("\xff\xfev\0 \0", 6)), "UTF-16"));
+    CHECK(has(error_of(std::string("v 0 0 0\n\0", 9)), "a.obj:2:1: is binary data"));
+    const TempFolder folder;
+    CHECK(has(error_of_file(folder.path.string()), "is a folder"));
+    CHECK(has(error_of_file(folder.file("absent.obj")), "absent.obj: no such file"));
+    CHECK(has(error_of_file("/dev/null"), "not a regular file"));
+}
+
+TEST_CASE("mesh errors: numbers in an MTL are checked with their place") {
+    const std::string obj = "mtllib a.mtl\n" + kVertices + "f 1 2 3\n";
+    for (const Bad& bad :
+         {Bad{"Kd 1 0\n", "a.mtl:2:7: the line ends", "r g b"}, Bad{"Kd 1 nan 0\n", "a.mtl:2:6: 'nan'", "finite"},
+          Bad{"Kd 0,5\n", "a.mtl:2:4: '0,5'", "decimals with a point"},
+          Bad{"Ks 1 1 1 1\n", "a.mtl:2:10: '1'", "3 numbers"}, Bad{"Ns -1\n", "a.mtl:2:4: '-1'", "0 or more"},
+          Bad{"Pr 1.5\n", "a.mtl:2:4: '1.5'", "0 to 1"}, Bad{"Pm x\n", "a.mtl:2:4: 'x'", "a number"},
+          Bad{"map_Kd\n", "a.mtl:2:7: the line ends", "image file"},
+          Bad{"newmtl\n", "a.mtl:2:7: the line ends", "name"}}) {
+        CAPTURE(bad.text);
+        const std::string message = error_of(obj, "newmtl m\n" + bad.text);
+        CAPTURE(message);
+        CHECK(message.starts_with(bad.place));
+        CHECK(has(message, bad.words));
+    }
+}
+
+TEST_CASE("mesh errors: paths in a file stay in its folder unless that is allowed") {
+    const TempFolder folder;
+    folder.write("secret.mtl", "newmtl m\n");
+    folder.write("in/a.mtl", "newmtl m\nmap_Kd ../secret.mtl\n");
+    std::filesystem::create_symlink(folder.file("secret.mtl"), folder.file("in/link.mtl"));
+    const std::string face = kVertices + "f 1 2 3\n";
+    for (const std::string& name :
+         {std::string("../secret.mtl"), std::string("x/../../secret.mtl"), std::string("link.mtl"),
+          std::string("..\\secret.mtl"), folder.file("secret.mtl"), std::string("/dev/zero")}) {
+        CAPTURE(name);
+        const std::string obj = folder.write("in/a.obj", "# c\nmtllib " + name + "\n" + face);
+        CHECK(has(error_of_file(obj), "a.obj:2:1: '"));
+        CHECK(has(error_of_file(obj), "outside the folder of the OBJ file"));
+        if (name != "/dev/zero") CHECK(error_of_file(folder.write("in/x/b.obj", face), true) == "no error");
+    }
+    const std::string obj = folder.write("in/a.obj", "mtllib a.mtl\n" + face);
+    CHECK(has(error_of_file(obj), "a.mtl:2:1: '../secret.mtl' is outside"));
+    CHECK(error_of_file(obj, true) == "no error");
+    const std::string to_device = folder.write("in/c.obj", "mtllib /dev/zero\n" + face);
+    CHECK(has(error_of_file(folder.write("in/d.obj", "mtllib ../secret.mtl\n" + face), true), "no error"));
+    CHECK(has(error_of_file(to_device), "outside"));
+}
+
+TEST_CASE("mesh errors: damaged files give a mesh or an error and never anything else") {
+    const std::string obj =
+        "mtllib a.mtl\no pot\nv 0 0 0\nv 1 0 0 1 .5 .5\nv 1 1 0\nv 0 1 0\nv 0.5 0.25 -1e-3\nvt 0 0\nvt 1 0\n"
+        "vt 1 1\nvn 0 0 1\nvn nan 0 0\ns 1\nusemtl red\nf 1/1/1 2/2/1 3/3/2 # c\ng lid knob\nf -1 -2 \\\n"
+        "-3 -4 -5\ns off\nusemtl blue\nf 1//1 2//1 3//1 4//1\nl 1 2\n";
+    const std::string mtl =
+        "newmtl red\nKa 1 1 1\nKd .5\nKs 1 0 0\nNs 32\nillum 2\nmap_Kd -s 1 1 a.png\nnewmtl blue\nPr .5\nPm 1\n";
+    const std::string spice = "0123456789 \t\r\n\\/.,-+#eEvnfgostunail\xff\x01";
+    std::mt19937 random(7);
+    const auto below = [&](std::size_t n) { return std::uniform_int_distribution<std::size_t>(0, n - 1)(random); };
+    const auto damage = [&](std::string text) {
+        for (std::size_t edits = 1 + below(4); edits > 0 && !text.empty(); --edits) {
+            const std::size_t at = below(text.size());
+            const std::size_t kind = below(4);
+            if (kind == 0) text[at] = spice[below(spice.size())];
+            if (kind == 1) text.insert(at, 1, spice[below(spice.size())]);
+            if (kind == 2) text.erase(at, 1 + below(8));
+            if (kind == 3) text.insert(at, text.substr(below(text.size()), below(30)));
+        }
+        return below(20) == 0 ? text.substr(0, below(text.size() + 1)) : text;
+    };
+    const TempFolder folder;
+    constexpr int kRounds = 1000;
+    int meshes = 0;
+    folder.write("a.mtl", mtl);
+    for (int i = 0; i < kRounds; ++i) {
+        // First with a damaged OBJ, then with a damaged MTL: writing files is what takes the time.
+        const std::string damaged = i < kRounds / 2 ? damage(obj) : damage(mtl);
+        CAPTURE(damaged);
+        folder.write(i < kRounds / 2 ? "a.obj" : "a.mtl", damaged);
+        if (i == kRounds / 2) folder.write("a.obj", obj);
+        try {
+            const kreda::scene::LoadedMesh loaded = load_mesh_file(folder.file("a.obj"));
+            for (const std::uint32_t index : loaded.mesh.indices) REQUIRE(index < loaded.mesh.positions.size());
+            REQUIRE(loaded.mesh.normals.size() == loaded.mesh.positions.size());
+            ++meshes;
+        } catch (const UserError& error) {
+            REQUIRE(std::string(error.what()).starts_with(folder.path.string()));
+        }
+    }
+    CHECK(meshes > 100);
+    CHECK(meshes < kRounds);
+}
