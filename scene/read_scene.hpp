@@ -10,8 +10,8 @@
 namespace kreda::scene {
 
 struct ReadOptions {
-    bool allow_outside = false;              ///< OBJ and MTL files may name files outside their own folder
-    std::vector<std::string> overrides;      ///< "--set" values: "camera.position=[0,1,4]", "material.gold.roughness=0.2"
+    bool allow_outside = false;          ///< OBJ and MTL files may name files outside their own folder
+    std::vector<std::string> overrides;  ///< "--set": "camera.position=[0,1,4]", "material.gold.shininess=9"
 };
 
 /// Read, check and load a scene with all its meshes. Throws UserError.

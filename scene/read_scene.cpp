@@ -1,0 +1,222 @@
+#include "scene/read_scene.hpp"
+
+#include <algorithm>
+#include <cerrno>
+#include <cmath>
+#include <cstring>
+#include <filesystem>
+#include <fstream>
+#include <set>
+
+#include <glm/geometric.hpp>
+
+#include "scene/overrides.hpp"
+#include "scene/read_objects.hpp"
+#include "scene/toml_check.hpp"
+
+namespace kreda::scene {
+
+namespace {
+
+constexpr std::size_t kMaxFileBytes = std::size_t(16) << 20;
+constexpr std::int64_t kMaxSide = 16384;                   ///< in samples
+constexpr std::int64_t kMaxSamples = std::int64_t(1) << 27;
+constexpr double kLeastLength = 1e-9;                      ///< shorter vectors have no direction in float
+constexpr double kLeastSine = 1e-5;                        ///< of the angle between up and the view direction
+
+void check_sample_grid(const Value& table, const ImageSettings& image) {
+    const std::int64_t columns = std::int64_t(image.width) * image.samples;
+    const std::int64_t rows = std::int64_t(image.height) * image.samples;
+    if (columns <= kMaxSide && rows <= kMaxSide && columns * rows <= kMaxSamples) return;
+    const std::string asked = std::to_string(columns) + " x " + std::to_string(rows);
+    const std::string largest = std::to_string(kMaxSide) + " a side and " + std::to_string(kMaxSamples) + " altogether";
+    throw UserError(place_of(table, "size"),
+                    "the image has " + asked + " samples (size x samples); the largest is " + largest);
+}
+
+ImageSettings read_image(const Value& table) {
+    ImageSettings image;
+    if (const Value* size = find(table, "size")) {
+        image.width = static_cast<int>(size->items[0].integer);
+        image.height = static_cast<int>(size->items[1].integer);
+    }
+    read(table, "samples", image.samples);
+    check_sample_grid(table, image);
+    read(table, "background", image.background);
+    read(table, "exposure", image.exposure);
+    read_word(table, "tone_map", image.tone_map);
+    read(table, "white", image.white);
+    read_word(table, "transfer", image.transfer);
+    read(table, "gamma", image.gamma);
+    return image;
+}
+
+void check_view(const Value& table, const raster::Camera& camera) {
+    const glm::dvec3 view = glm::dvec3(camera.target) - glm::dvec3(camera.position);
+    const glm::dvec3 up(camera.up);
+    const Place& place = place_of(table, find(table, "position") ? "position" : "target");
+    if (glm::length(view) < kLeastLength) {
+        throw UserError(place, "'position' and 'target' in [camera] are the same point; move one of them");
+    }
+    if (glm::length(up) < kLeastLength) {
+        throw UserError(place_of(table, "up"), "'up' in [camera] has length 0; a direction is e.g. up = [0, 1, 0]");
+    }
+    const double sine = glm::length(glm::cross(view, up)) / (glm::length(view) * glm::length(up));
+    if (sine < kLeastSine) {
+        throw UserError(find(table, "up") ? place_of(table, "up") : place,
+                        "'up' in [camera] is parallel to the view direction (target - position); choose another, "
+                        "e.g. up = [0, 0, 1]");
+    }
+}
+
+raster::Camera read_camera(const Value& table) {
+    raster::Camera camera;
+    read(table, "position", camera.position);
+    read(table, "target", camera.target);
+    read(table, "up", camera.up);
+    read_word(table, "projection", camera.projection);
+    read(table, "vertical_fov", camera.vertical_fov_deg);
+    read(table, "height", camera.height);
+    read(table, "near", camera.near);
+    read(table, "far", camera.far);
+    check_view(table, camera);
+    if (camera.far <= camera.near) {
+        const Place& place = place_of(table, find(table, "far") ? "far" : "near");
+        throw UserError(place, "'far' in [camera] must be greater than 'near'");
+    }
+    return camera;
+}
+
+ShadingSettings read_shading(const Value& table) {
+    ShadingSettings shading;
+    read_word(table, "frequency", shading.frequency);
+    read_word(table, "interpolation", shading.interpolation);
+    read_word(table, "cull", shading.cull);
+    return shading;
+}
+
+lighting::Attenuation read_attenuation(const Value& table) {
+    const Value* value = find(table, "attenuation");
+    if (!value) return {};
+    if (value->kind == ValueKind::text) return {0.0f, 0.0f, 1.0f};  // "physical", the only word
+    glm::vec3 c_l_q(0.0f);
+    read(table, "attenuation", c_l_q);
+    if (c_l_q.x + c_l_q.y + c_l_q.z < static_cast<float>(kLeastLength)) {
+        throw UserError(value->place, "'attenuation' in [[light]] divides by zero; [1, 0, 0] means none");
+    }
+    return {c_l_q.x, c_l_q.y, c_l_q.z};
+}
+
+void read_cone(const Value& table, lighting::Light& light) {
+    const Value* cone = find(table, "cone");
+    if (!cone) return;
+    light.inner_cone_deg = static_cast<float>(cone->items[0].number);
+    light.outer_cone_deg = static_cast<float>(cone->items[1].number);
+    if (light.inner_cone_deg <= light.outer_cone_deg) return;
+    throw UserError(cone->place, "'cone' in [[light]]: the first angle must not exceed the second");
+}
+
+lighting::Light read_light(const Value& table) {
+    lighting::Light light;
+    read_word(table, "type", light.type);
+    read(table, "direction", light.direction);
+    read(table, "position", light.position);
+    read(table, "color", light.color);
+    read(table, "intensity", light.intensity);
+    light.attenuation = read_attenuation(table);
+    read_cone(table, light);
+    read(table, "shadow", light.shadow);
+    read(table, "on", light.on);
+    if (glm::length(glm::dvec3(light.direction)) < kLeastLength) {
+        throw UserError(place_of(table, "direction"),
+                        "'direction' in [[light]] has length 0; a direction is e.g. direction = [-1, -2, -1]");
+    }
+    return light;
+}
+
+lighting::Fog read_fog(const Value& table) {
+    lighting::Fog fog;
+    read_word(table, "mode", fog.mode);
+    read(table, "color", fog.color);
+    read(table, "start", fog.start);
+    read(table, "end", fog.end);
+    read(table, "density", fog.density);
+    read_word(table, "distance", fog.distance);
+    read_word(table, "frequency", fog.frequency);
+    return fog;
+}
+
+lighting::Material read_material(const Value& table) {
+    lighting::Material material;
+    read(table, "name", material.name);
+    read_word(table, "model", material.model);
+    read(table, "ambient", material.phong.ambient);
+    read(table, "diffuse", material.phong.diffuse);
+    read(table, "specular", material.phong.specular);
+    read(table, "emission", material.phong.emission);
+    read(table, "shininess", material.phong.shininess);
+    return material;
+}
+
+void read_materials(const Value& tables, Scene& scene) {
+    std::set<std::string> names;
+    for (const Value& table : tables.items) {
+        const lighting::Material material = read_material(table);
+        if (!names.insert(material.name).second) {
+            const std::string what = "there is already a material " + in_quotes(material.name);
+            throw UserError(place_of(table, "name"), what + "; each [[material]] needs its own name");
+        }
+        scene.materials.push_back(material);
+    }
+}
+
+Scene build_scene(const Value& root, const std::string& folder, const ReadOptions& options) {
+    Scene scene;
+    if (const Value* table = find(root, "image")) scene.image = read_image(*table);
+    if (const Value* table = find(root, "camera")) scene.camera = read_camera(*table);
+    if (const Value* table = find(root, "shading")) scene.shading = read_shading(*table);
+    if (const Value* table = find(root, "ambient")) read(*table, "color", scene.ambient);
+    if (const Value* tables = find(root, "light")) {
+        for (const Value& table : tables->items) scene.lights.push_back(read_light(table));
+    }
+    if (const Value* table = find(root, "fog")) scene.fog = read_fog(*table);
+    if (const Value* tables = find(root, "material")) read_materials(*tables, scene);
+    read_objects(root, folder, options, scene);
+    return scene;
+}
+
+std::string read_text_file(const std::string& path) {
+    std::error_code error;
+    if (std::filesystem::is_directory(path, error)) throw UserError({path}, "is a folder, not a scene file");
+    errno = 0;
+    std::ifstream file(path, std::ios::binary);
+    if (!file) throw UserError({path}, std::string("cannot be opened: ") + std::strerror(errno));
+    std::string text(kMaxFileBytes + 1, '\0');
+    file.read(text.data(), static_cast<std::streamsize>(text.size()));
+    if (file.bad()) throw UserError({path}, "cannot be read");
+    text.resize(static_cast<std::size_t>(file.gcount()));
+    if (text.size() > kMaxFileBytes) throw UserError({path}, "is larger than 16 MB; a scene file is text (TOML)");
+    return text;
+}
+
+}  // namespace
+
+Scene read_scene_text(const std::string& text, const std::string& name, const std::string& folder,
+                      const ReadOptions& options) {
+    if (text.find('\0') != std::string::npos) {
+        throw UserError({name}, "is not a text file (it holds zero bytes); expected a scene file (TOML, UTF-8)");
+    }
+    Value root = parse_toml(text, name);
+    check_tables(root);
+    apply_overrides(root, options.overrides);
+    check_keys(root);
+    Scene scene = build_scene(root, folder, options);
+    scene.file = name;
+    return scene;
+}
+
+Scene read_scene(const std::string& path, const ReadOptions& options) {
+    return read_scene_text(read_text_file(path), path, std::filesystem::path(path).parent_path().string(), options);
+}
+
+}  // namespace kreda::scene

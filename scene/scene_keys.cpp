@@ -1,0 +1,212 @@
+#include "scene/scene_keys.hpp"
+
+#include <algorithm>
+#include <cstdio>
+
+namespace kreda::scene {
+
+namespace {
+
+using enum KeyType;
+
+constexpr Range kAny{};
+constexpr Range kNotNegative{0.0, 1e9};
+constexpr Range kPositive{1e-9, 1e9};
+
+std::vector<KeyInfo> make_keys() {
+    return {
+        {"image", "size", whole_pair, "[640, 360]", "width and height in pixels", {1, 16384}, {}, ""},
+        {"image", "samples", whole, "1", "n x n supersampling", {1, 8}, {}, ""},
+        {"image", "background", vector, "[0, 0, 0]", "linear RGB", kNotNegative, {}, ""},
+        {"image", "exposure", number, "1.0", "multiplies radiance before tone mapping", kNotNegative, {}, ""},
+        {"image", "tone_map", word, "\"none\"", "radiance to 0..1; none: clamp", kAny,
+         {"none", "reinhard", "reinhard_extended"}, ""},
+        {"image", "white", number, "4.0", "reinhard_extended: the radiance that maps to 1", kPositive, {}, ""},
+        {"image", "transfer", word, "\"srgb\"", "linear values to the file's 8 bits", kAny,
+         {"srgb", "gamma", "linear"}, ""},
+        {"image", "gamma", number, "2.2", "transfer = \"gamma\": the exponent", kPositive, {}, ""},
+
+        {"camera", "position", vector, "[0, 1, 4]", "where the camera is", kAny, {}, ""},
+        {"camera", "target", vector, "[0, 0, 0]", "the point it looks at", kAny, {}, ""},
+        {"camera", "up", vector, "[0, 1, 0]", "what is up in the picture", kAny, {}, ""},
+        {"camera", "projection", word, "\"perspective\"", "how depth becomes size", kAny,
+         {"perspective", "orthographic"}, ""},
+        {"camera", "vertical_fov", number, "45", "perspective: degrees from bottom to top", {0, 180, true}, {}, ""},
+        {"camera", "height", number, "2", "orthographic: world units from bottom to top", kPositive, {}, ""},
+        {"camera", "near", number, "0.1", "distance of the near plane", kPositive, {}, ""},
+        {"camera", "far", number, "100", "distance of the far plane, beyond near", kPositive, {}, ""},
+
+        {"shading", "frequency", word, "\"phong\"", "light per triangle, per vertex or per pixel", kAny,
+         {"flat", "gouraud", "phong"}, ""},
+        {"shading", "interpolation", word, "\"perspective\"", "affine shows why not", kAny,
+         {"perspective", "affine"}, ""},
+        {"shading", "cull", word, "\"back\"", "which side of a triangle is not drawn", kAny,
+         {"back", "front", "none"}, ""},
+
+        {"ambient", "color", vector, "[0.05, 0.05, 0.05]", "s_A: light from everywhere", kNotNegative, {}, ""},
+
+        {"light", "type", word, "\"directional\"", "the sun, a lamp, or a lamp in a cone", kAny,
+         {"directional", "point", "spot"}, ""},
+        {"light", "direction", vector, "[-1, -2, -1]", "directional, spot: the way the light travels", kAny, {}, ""},
+        {"light", "position", vector, "[2, 3, 1]", "point, spot: where it is", kAny, {}, ""},
+        {"light", "color", vector, "[1, 1, 1]", "linear RGB", kNotNegative, {}, ""},
+        {"light", "intensity", number, "1.0", "multiplies color", kNotNegative, {}, ""},
+        {"light", "attenuation", vector_or_word, "[1, 0, 0]", "1 / (c + l d + q d^2); \"physical\": 1 / d^2",
+         kNotNegative, {"physical"}, ""},
+        {"light", "cone", number_pair, "[20, 30]",
+         "spot: half-angles in degrees; full light inside the first, none outside the second", {0, 180}, {}, ""},
+        {"light", "shadow", boolean, "false", "whether it casts shadows", kAny, {}, ""},
+        {"light", "on", boolean, "true", "false switches it off", kAny, {}, ""},
+
+        {"fog", "mode", word, "\"none\"", "how the surface fades with distance", kAny,
+         {"none", "linear", "exp", "exp2"}, ""},
+        {"fog", "color", vector, "[0.6, 0.65, 0.7]", "linear RGB", kNotNegative, {}, ""},
+        {"fog", "start", number, "5", "linear: distance where fog begins", kAny, {}, ""},
+        {"fog", "end", number, "30", "linear: distance where nothing else is seen", kAny, {}, ""},
+        {"fog", "density", number, "0.1", "exp, exp2: per world unit", kNotNegative, {}, ""},
+        {"fog", "distance", word, "\"radial\"", "from the eye, or from its plane", kAny, {"radial", "planar"}, ""},
+        {"fog", "frequency", word, "\"pixel\"", "computed per pixel or per vertex", kAny, {"pixel", "vertex"}, ""},
+
+        {"material", "name", text, "\"default\"", "what objects call it", kAny, {}, "\"gold\""},
+        {"material", "model", word, "\"blinn_phong\"", "the reflection model", kAny,
+         {"unlit", "lambert", "phong", "blinn_phong"}, ""},
+        {"material", "ambient", vector, "[0.1, 0.1, 0.1]", "m_A", kNotNegative, {}, ""},
+        {"material", "diffuse", vector, "[0.7, 0.7, 0.7]", "m_D", kNotNegative, {}, ""},
+        {"material", "specular", vector, "[0.3, 0.3, 0.3]", "m_S", kNotNegative, {}, ""},
+        {"material", "emission", vector, "[0, 0, 0]", "m_E", kNotNegative, {}, ""},
+        {"material", "shininess", number, "32", "h: the exponent of the highlight", kNotNegative, {}, ""},
+
+        {"object", "mesh", text, "", "an OBJ file, or a built-in shape", kAny, {}, "\"teapot\""},
+        {"object", "detail", whole, "64", "built-in shapes: subdivisions", {1, 4096}, {}, ""},
+        {"object", "normals", word, "\"file\"", "file: its own (smooth where it has none)", kAny,
+         {"file", "smooth", "flat"}, ""},
+        {"object", "material", text, "", "without it, the OBJ's own MTL materials", kAny, {}, "\"gold\""},
+        {"object", "translate", vector, "[0, 0, 0]", "moved last", kAny, {}, ""},
+        {"object", "rotate", vector, "[0, 0, 0]", "degrees about x, then y, then z", kAny, {}, "[0, 45, 0]"},
+        {"object", "scale", number_or_vector, "[1, 1, 1]", "scaled first; not 0", kAny, {}, ""},
+        {"object", "hide", texts, "[]", "parts (OBJ groups or objects) that are not drawn", kAny, {}, "[\"lid\"]"},
+    };
+}
+
+std::vector<Planned> make_planned() {
+    return {
+        {"shadow", "", ""},
+        {"environment", "", ""},
+        {"light", "shadow", "true"},
+        {"image", "background", "environment"},
+        {"material", "model", "ward"},
+        {"material", "model", "cook_torrance"},
+        {"material", "albedo", ""},
+        {"material", "metallic", ""},
+        {"material", "roughness", ""},
+        {"material", "ao", ""},
+        {"material", "distribution", ""},
+        {"material", "geometry", ""},
+        {"material", "fresnel", ""},
+        {"material", "energy_compensation", ""},
+        {"material", "ior", ""},
+        {"material", "extinction", ""},
+        {"material", "albedo_map", ""},
+        {"material", "metallic_map", ""},
+        {"material", "roughness_map", ""},
+        {"material", "ao_map", ""},
+        {"material", "normal_map", ""},
+        {"material", "diffuse_map", ""},
+        {"material", "maps", ""},
+        {"material", "normal_map_y", ""},
+        {"material", "texture_filter", ""},
+    };
+}
+
+std::string plain(double number) {
+    char buffer[32];
+    std::snprintf(buffer, sizeof buffer, "%g", number);
+    return buffer;
+}
+
+/// " > 0", " >= 0", " in 1..8" or nothing where any number will do.
+std::string range_text(const Range& range) {
+    const bool unbounded_above = range.greatest >= Range{}.greatest;
+    if (range.least <= Range{}.least && unbounded_above) return "";
+    if (range.least == kPositive.least && unbounded_above) return " > 0";
+    if (unbounded_above) return " >= " + plain(range.least);
+    return std::string(range.open ? " between " : " in ") + plain(range.least) + (range.open ? " and " : "..") +
+           plain(range.greatest);
+}
+
+std::string words_text(const KeyInfo& info) {
+    std::string text;
+    for (const std::string_view word : info.words) {
+        text += (text.empty() ? "\"" : " | \"") + std::string(word) + "\"";
+    }
+    return text;
+}
+
+}  // namespace
+
+const std::vector<KeyInfo>& scene_keys() {
+    static const std::vector<KeyInfo> keys = make_keys();
+    return keys;
+}
+
+const std::vector<Planned>& planned_keys() {
+    static const std::vector<Planned> planned = make_planned();
+    return planned;
+}
+
+const KeyInfo* find_key(std::string_view table, std::string_view key) {
+    for (const KeyInfo& info : scene_keys()) {
+        if (info.table == table && info.key == key) return &info;
+    }
+    return nullptr;
+}
+
+std::vector<std::string> table_names() {
+    std::vector<std::string> names;
+    for (const KeyInfo& info : scene_keys()) {
+        if (names.empty() || names.back() != info.table) names.emplace_back(info.table);
+    }
+    return names;
+}
+
+std::vector<std::string> key_names(std::string_view table) {
+    std::vector<std::string> names;
+    for (const KeyInfo& info : scene_keys()) {
+        if (info.table == table) names.emplace_back(info.key);
+    }
+    return names;
+}
+
+bool is_repeated(std::string_view table) {
+    return table == "light" || table == "material" || table == "object";
+}
+
+std::string table_title(std::string_view table) {
+    const std::string name(table);
+    return is_repeated(table) ? "[[" + name + "]]" : "[" + name + "]";
+}
+
+std::string type_text(const KeyInfo& info) {
+    const std::string range = range_text(info.range);
+    switch (info.type) {
+        case boolean: return "true or false";
+        case whole: return "a whole number" + range;
+        case whole_pair: return "2 whole numbers" + range;
+        case number: return "a number" + range;
+        case number_pair: return "2 numbers" + range;
+        case vector: return "3 numbers" + range;
+        case number_or_vector: return "a number or 3 numbers" + range;
+        case vector_or_word: return "3 numbers" + range + " or " + words_text(info);
+        case word: return words_text(info);
+        case text: return "text in quotes";
+        case texts: return "a list of texts in quotes";
+    }
+    return "";
+}
+
+std::string example_text(const KeyInfo& info) {
+    const std::string_view value = info.example.empty() ? info.default_value : info.example;
+    return std::string(info.key) + " = " + std::string(value);
+}
+
+}  // namespace kreda::scene

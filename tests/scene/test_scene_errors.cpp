@@ -1,0 +1,205 @@
+#include <doctest/doctest.h>
+
+#include "scene/read_scene.hpp"
+#include "scene/scene_keys.hpp"
+
+using namespace kreda::scene;
+
+namespace {
+
+/// The message of the UserError; anything else that is thrown fails the test.
+std::string complaint(const std::string& text) {
+    try {
+        const Scene scene = read_scene_text(text, "s.toml", ".");
+    } catch (const UserError& error) {
+        return error.what();
+    }
+    return "no complaint";
+}
+
+/// The place alone: "s.toml:3:8".
+std::string place(const std::string& text) {
+    const std::string message = complaint(text);
+    return message.substr(0, message.find(": "));
+}
+
+bool has(const std::string& text, const std::string& part) {
+    return text.find(part) != std::string::npos;
+}
+
+}  // namespace
+
+TEST_CASE("An unknown key is reported where it stands with the nearest known one") {
+    CHECK(complaint("[[material]]\nname = 'a'\n  shinines = 3\n") ==
+          "s.toml:3:3: unknown key 'shinines' in [[material]]; did you mean 'shininess'?");
+    CHECK(complaint("[camera]\nfov = 60\n") ==
+          "s.toml:2:1: unknown key 'fov' in [camera]; did you mean 'vertical_fov'?");
+    CHECK(complaint("[ambient]\nxylophone = 1\n") ==
+          "s.toml:2:1: unknown key 'xylophone' in [ambient]; known keys: color");
+}
+
+TEST_CASE("An unknown table is reported where it stands with the nearest known one") {
+    CHECK(complaint("\n[camra]\n") == "s.toml:2:2: unknown table [camra]; did you mean 'camera'?");
+    CHECK(complaint("[[lights]]\n") == "s.toml:1:3: unknown table [lights]; did you mean 'light'?");
+    CHECK(complaint("[qqqqqqqq]\n") ==
+          "s.toml:1:2: unknown table [qqqqqqqq]; known tables: image, camera, shading, ambient, light, fog, material, "
+          "object");
+    CHECK(complaint("near = 3\n") == "s.toml:1:1: 'near' is outside of any table; it belongs below [camera]");
+}
+
+TEST_CASE("A table that may be there once is written with one pair of brackets and the others with two") {
+    CHECK(complaint("[light]\n") == "s.toml:1:2: 'light' must be written as a table [[light]]");
+    CHECK(complaint("[[camera]]\n") == "s.toml:1:3: 'camera' must be written as a table [camera]");
+    CHECK(complaint("camera = 3\n") == "s.toml:1:1: 'camera' must be written as a table [camera]");
+    CHECK(complaint("light = [1]\n") == "s.toml:1:1: 'light' must be written as a table [[light]]");
+}
+
+TEST_CASE("A wrong type says what was found and what is expected with an example") {
+    CHECK(complaint("[camera]\nposition = 'up'\n") ==
+          "s.toml:2:12: 'position' in [camera] is the text \"up\"; expected 3 numbers, e.g. position = [0, 1, 4]");
+    CHECK(complaint("[camera]\nposition = [0, 1]\n") ==
+          "s.toml:2:12: 'position' in [camera] is a list of 2 values; expected 3 numbers, e.g. position = [0, 1, 4]");
+    CHECK(complaint("[camera]\nup = [0, 'x', 0]\n") ==
+          "s.toml:2:10: 'up' in [camera] is the text \"x\" in the second place; expected 3 numbers, "
+          "e.g. up = [0, 1, 0]");
+    CHECK(complaint("[image]\nsamples = 2.0\n") ==
+          "s.toml:2:11: 'samples' in [image] is 2; expected a whole number in 1..8, e.g. samples = 1");
+    CHECK(complaint("[[light]]\non = 1\n") ==
+          "s.toml:2:6: 'on' in [[light]] is 1; expected true or false, e.g. on = true");
+    CHECK(complaint("[shading]\ncull = 'bak'\n") ==
+          "s.toml:2:8: 'cull' in [shading] is \"bak\"; expected \"back\" | \"front\" | \"none\"");
+    CHECK(complaint("[[light]]\nattenuation = 'weak'\n") ==
+          "s.toml:2:15: 'attenuation' in [[light]] is \"weak\"; expected 3 numbers >= 0 or \"physical\"");
+    CHECK(place("[[object]]\nmesh = 1979-05-27\n") == "s.toml:2:8");
+    CHECK(place("[[object]]\nmesh = 'cube'\nhide = ['a', 2]\n") == "s.toml:3:14");
+    CHECK(place("[camera.position]\n") == "s.toml:1:1");
+}
+
+TEST_CASE("NaN and infinity are refused everywhere") {
+    for (const KeyInfo& info : scene_keys()) {
+        for (const std::string bad : {"nan", "inf", "-inf", "1e300", "-1e300"}) {
+            std::string value = bad;
+            if (info.type == KeyType::vector || info.type == KeyType::vector_or_word) value = "[1, " + bad + ", 1]";
+            if (info.type == KeyType::number_pair || info.type == KeyType::whole_pair) value = "[1, " + bad + "]";
+            const std::string text = table_title(info.table) + "\n" + std::string(info.key) + " = " + value + "\n";
+            CAPTURE(text);
+            CHECK(has(complaint(text), "s.toml:2:"));
+        }
+    }
+    CHECK(complaint("[camera]\nfar = inf\n") == "s.toml:2:7: 'far' in [camera] is inf; expected a finite number");
+    CHECK(complaint("[[light]]\ncolor = [1, 1, nan]\n") ==
+          "s.toml:2:16: 'color' in [[light]] is nan in the third place; expected a finite number");
+    CHECK(complaint("[camera]\nposition = [1e300, 0, 0]\n") ==
+          "s.toml:2:13: 'position' in [camera] is 1e+300 in the first place; numbers beyond 1e9 are refused");
+}
+
+TEST_CASE("Values out of range are refused at their place") {
+    CHECK(complaint("[camera]\nnear = -1\n") ==
+          "s.toml:2:8: 'near' in [camera] is -1; expected a number > 0, e.g. near = 0.1");
+    CHECK(place("[camera]\nnear = 1e-50\n") == "s.toml:2:8");
+    CHECK(place("[camera]\nvertical_fov = 0\n") == "s.toml:2:16");
+    CHECK(place("[camera]\nvertical_fov = 180\n") == "s.toml:2:16");
+    CHECK(place("[camera]\nvertical_fov = 179.9999999999\n") == "s.toml:2:16");  // 180 in float
+    CHECK(place("[image]\nsize = [0, 3]\n") == "s.toml:2:9");
+    CHECK(place("[image]\nsize = [3, 100000]\n") == "s.toml:2:12");
+    CHECK(place("[image]\nsamples = 0\n") == "s.toml:2:11");
+    CHECK(place("[image]\nsamples = 9\n") == "s.toml:2:11");
+    CHECK(place("[image]\ngamma = 0\n") == "s.toml:2:9");
+    CHECK(place("[image]\nexposure = -0.5\n") == "s.toml:2:12");
+    CHECK(place("[[material]]\nshininess = -1\n") == "s.toml:2:13");
+    CHECK(place("[fog]\ndensity = -1\n") == "s.toml:2:11");
+    CHECK(place("[[light]]\ncone = [20, 181]\n") == "s.toml:2:13");
+    CHECK(place("[[light]]\ncone = [-1, 30]\n") == "s.toml:2:9");
+    CHECK(place("[[light]]\nattenuation = [1, 0, -1]\n") == "s.toml:2:22");
+    CHECK(place("[ambient]\ncolor = [0, -0.1, 0]\n") == "s.toml:2:13");
+}
+
+TEST_CASE("Values that do not go together are refused") {
+    CHECK(complaint("[camera]\nnear = 2\nfar = 1\n") == "s.toml:3:7: 'far' in [camera] must be greater than 'near'");
+    CHECK(place("[camera]\nnear = 100\n") == "s.toml:2:8");
+    CHECK(complaint("[camera]\nposition = [0, 0, 0]\n") ==
+          "s.toml:2:12: 'position' and 'target' in [camera] are the same point; move one of them");
+    CHECK(has(complaint("[camera]\nup = [0, 0, 0]\n"), "s.toml:2:6: 'up' in [camera] has length 0"));
+    CHECK(has(complaint("[camera]\nup = [0, -1, -4]\n"), "s.toml:2:6: 'up' in [camera] is parallel"));
+    CHECK(has(complaint("[camera]\nposition = [0, 5, 0]\n"), "s.toml:2:12: 'up' in [camera] is parallel"));
+    CHECK(has(complaint("[[light]]\ndirection = [0, 0, 0]\n"), "s.toml:2:13: 'direction' in [[light]] has length 0"));
+    CHECK(complaint("[[light]]\nattenuation = [0, 0, 0]\n") ==
+          "s.toml:2:15: 'attenuation' in [[light]] divides by zero; [1, 0, 0] means none");
+    CHECK(complaint("[[light]]\ncone = [30, 20]\n") ==
+          "s.toml:2:8: 'cone' in [[light]]: the first angle must not exceed the second");
+    CHECK(complaint("[[material]]\nname = 'a'\n[[material]]\nname = 'a'\n") ==
+          "s.toml:4:8: there is already a material 'a'; each [[material]] needs its own name");
+}
+
+TEST_CASE("The largest image is 16384 samples a side and 2^27 altogether") {
+    CHECK(complaint("[image]\nsize = [16384, 8192]\n") == "no complaint");  // 2^14 x 2^13 = 2^27
+    CHECK(complaint("[image]\nsize = [2048, 1024]\nsamples = 8\n") == "no complaint");
+    CHECK(place("[image]\nsize = [16384, 8193]\n") == "s.toml:2:8");
+    CHECK(complaint("[image]\nsize = [8193, 10]\nsamples = 2\n") ==
+          "s.toml:2:8: the image has 16386 x 20 samples (size x samples); the largest is 16384 a side and 134217728 "
+          "altogether");
+}
+
+TEST_CASE("What is planned but not built says so") {
+    const std::string end = " is not built yet in this version (planned); remove it to render";
+    for (const Planned& planned : planned_keys()) {
+        const std::string table = table_title(planned.table) + "\n";
+        const std::string word = planned.value == "true" ? "true" : "'" + std::string(planned.value) + "'";
+        const std::string key = planned.key.empty() ? "" : std::string(planned.key) + " = " + word + "\n";
+        CAPTURE(table + key);
+        CHECK(has(complaint(table + key), end));
+    }
+    CHECK(complaint("[[light]]\n[environment]\nsky = 'studio'\n") == "s.toml:2:2: 'environment'" + end);
+    CHECK(complaint("[[light]]\nshadow = true\n") == "s.toml:2:10: shadow = true" + end);
+    CHECK(complaint("[[light]]\nshadow = false\n") == "no complaint");
+    CHECK(complaint("[image]\nbackground = 'environment'\n") == "s.toml:2:14: background = \"environment\"" + end);
+    CHECK(complaint("[[material]]\nmodel = 'ward'\n") == "s.toml:2:9: model = \"ward\"" + end);
+    CHECK(complaint("[[material]]\nroughness = 0.2\n") == "s.toml:2:1: 'roughness' in [[material]]" + end);
+}
+
+TEST_CASE("Nothing is both planned and known") {
+    for (const Planned& planned : planned_keys()) {
+        if (!planned.value.empty() || planned.key.empty()) continue;
+        CAPTURE(planned.key);
+        CHECK(find_key(planned.table, planned.key) == nullptr);
+    }
+}
+
+TEST_CASE("Text that is not TOML is reported with its place") {
+    CHECK(place("[camera]\nnear = \n") == "s.toml:2:8");
+    CHECK(place("[camera]\nnear = 1\nnear = 2\n") == "s.toml:3:8");
+    CHECK(has(complaint("[shading]\ncull = back\n"), "text needs quotes"));
+    const std::string bracket = ": this is not TOML: expected a value or the right closing bracket";
+    CHECK(complaint("[camera]\n# \xC3\xA9\nup = [0, }\nfar = 2\n") == "s.toml:3:10" + bracket);
+    CHECK(complaint("x = [}") == "s.toml:1:6" + bracket);
+    CHECK(place(std::string("[camera]\n\0near = 1\n", 18)) == "s.toml");
+    CHECK(place("[camera]\nnear = \xFF\n").substr(0, 8) == "s.toml:2");
+}
+
+TEST_CASE("Deep nesting is an error and not the end of the stack") {
+    std::string dots = "a";
+    for (int i = 0; i < 200'000; ++i) dots += ".a";
+    CHECK(has(complaint(dots + " = 1\n"), "s.toml:1: a key with more than 100 dots"));
+    CHECK(has(complaint("[" + dots + "]\n"), "a key with more than 100 dots"));
+    CHECK(place("x = " + std::string(100'000, '[')).substr(0, 8) == "s.toml:1");
+}
+
+TEST_CASE("A message is one line however long and strange the text it quotes") {
+    const std::string message = complaint("\"a\\n" + std::string(1000, 'b') + "\" = 1\n");
+    CHECK(message.find('\n') == std::string::npos);
+    CHECK(message.size() < 300);
+}
+
+TEST_CASE("A file that cannot be read as a scene is one clear line") {
+    const auto complaint_about = [](const std::string& path) -> std::string {
+        try {
+            const Scene scene = read_scene(path);
+        } catch (const UserError& error) {
+            return error.what();
+        }
+        return "no complaint";
+    };
+    CHECK(complaint_about("/no/such/scene.toml") == "/no/such/scene.toml: cannot be opened: No such file or directory");
+    CHECK(complaint_about("/") == "/: is a folder, not a scene file");
+    CHECK(complaint_about("/dev/zero") == "/dev/zero: is larger than 16 MB; a scene file is text (TOML)");
+}
