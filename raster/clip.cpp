@@ -1,35 +1,59 @@
 #include "raster/clip.hpp"
 
+#include <algorithm>
+
 #include <glm/geometric.hpp>
 
 #include "raster/scalar_math.hpp"
+#include "raster/screen.hpp"
 
 namespace kreda::raster {
 
 namespace {
 
+/// A corner while it is being clipped. In double: where a triangle runs from the near plane to far away, w at the cut is
+/// the small difference of large numbers, and in float it may come out as zero or below.
+struct Corner {
+    glm::dvec4 position{0.0};
+    glm::dvec3 weights{0.0};
+};
+
+struct Polygon {
+    std::array<Corner, ClipPolygon::kMaxCorners> corner;
+    int count = 0;
+};
+
 /// Where the edge from `inside` to `outside` meets the plane with the given distances (d_in >= 0 > d_out).
 /// Always computed from the inner end: two triangles that share the edge get the same point, to the last bit.
-ClipVertex intersect(const ClipVertex& inside, float d_in, const ClipVertex& outside, float d_out) {
-    const float t = d_in / (d_in - d_out);
+Corner intersect(const Corner& inside, double d_in, const Corner& outside, double d_out) {
+    const double t = d_in / (d_in - d_out);
     return {inside.position + t * (outside.position - inside.position),
             inside.weights + t * (outside.weights - inside.weights)};
 }
 
 /// Keep the part of a convex polygon where dot(plane, position) >= 0.
-ClipPolygon clip_by_plane(const ClipPolygon& in, const glm::vec4& plane) {
-    ClipPolygon out;
+Polygon clip_by_plane(const Polygon& in, const glm::dvec4& plane) {
+    Polygon out;
     for (int i = 0; i < in.count; ++i) {
-        const ClipVertex& here = in.vertex[i];
-        const ClipVertex& next = in.vertex[(i + 1) % in.count];
-        const float d_here = glm::dot(plane, here.position);
-        const float d_next = glm::dot(plane, next.position);
-        if (out.count + 2 > static_cast<int>(out.vertex.size())) break;
-        if (d_here >= 0.0f) out.vertex[out.count++] = here;
-        if (d_here >= 0.0f && d_next < 0.0f) out.vertex[out.count++] = intersect(here, d_here, next, d_next);
-        if (d_here < 0.0f && d_next >= 0.0f) out.vertex[out.count++] = intersect(next, d_next, here, d_here);
+        const Corner& here = in.corner[i];
+        const Corner& next = in.corner[(i + 1) % in.count];
+        const double d_here = glm::dot(plane, here.position);
+        const double d_next = glm::dot(plane, next.position);
+        if (out.count + 2 > ClipPolygon::kMaxCorners) break;
+        if (d_here >= 0.0) out.corner[out.count++] = here;
+        if (d_here >= 0.0 && d_next < 0.0) out.corner[out.count++] = intersect(here, d_here, next, d_next);
+        if (d_here < 0.0 && d_next >= 0.0) out.corner[out.count++] = intersect(next, d_next, here, d_here);
     }
     return out;
+}
+
+/// Round to float, then put right what rounding moved out of the view: the rest of the pipeline relies on it.
+ClipVertex rounded(const Corner& corner, float guard_x, float guard_y) {
+    glm::vec4 p(corner.position);
+    p.x = std::clamp(p.x, -guard_x * p.w, guard_x * p.w);
+    p.y = std::clamp(p.y, -guard_y * p.w, guard_y * p.w);
+    p.z = std::clamp(p.z, -p.w, p.w);
+    return {p, glm::vec3(corner.weights)};
 }
 
 bool all_finite(const glm::vec4& v) {
@@ -40,18 +64,25 @@ bool all_finite(const glm::vec4& v) {
 
 ClipPolygon clip_triangle(const glm::vec4& a, const glm::vec4& b, const glm::vec4& c, float guard_x, float guard_y) {
     if (!all_finite(a) || !all_finite(b) || !all_finite(c)) return {};
-    ClipPolygon polygon;
-    polygon.vertex[0] = {a, {1.0f, 0.0f, 0.0f}};
-    polygon.vertex[1] = {b, {0.0f, 1.0f, 0.0f}};
-    polygon.vertex[2] = {c, {0.0f, 0.0f, 1.0f}};
+    Polygon polygon;
+    polygon.corner[0] = {a, {1.0, 0.0, 0.0}};
+    polygon.corner[1] = {b, {0.0, 1.0, 0.0}};
+    polygon.corner[2] = {c, {0.0, 0.0, 1.0}};
     polygon.count = 3;
-    const std::array<glm::vec4, 6> planes = {
-        glm::vec4(0.0f, 0.0f, 1.0f, 1.0f),  // near first: afterwards w > 0
-        glm::vec4(0.0f, 0.0f, -1.0f, 1.0f), glm::vec4(1.0f, 0.0f, 0.0f, guard_x), glm::vec4(-1.0f, 0.0f, 0.0f, guard_x),
-        glm::vec4(0.0f, 1.0f, 0.0f, guard_y), glm::vec4(0.0f, -1.0f, 0.0f, guard_y)};
-    for (const glm::vec4& plane : planes) polygon = clip_by_plane(polygon, plane);
+    const std::array<glm::dvec4, 6> planes = {
+        glm::dvec4(0.0, 0.0, 1.0, 1.0),  // near first: afterwards w > 0
+        glm::dvec4(0.0, 0.0, -1.0, 1.0), glm::dvec4(1.0, 0.0, 0.0, guard_x), glm::dvec4(-1.0, 0.0, 0.0, guard_x),
+        glm::dvec4(0.0, 1.0, 0.0, guard_y), glm::dvec4(0.0, -1.0, 0.0, guard_y)};
+    for (const glm::dvec4& plane : planes) polygon = clip_by_plane(polygon, plane);
     if (polygon.count < 3) return {};
-    return polygon;
+
+    ClipPolygon result;
+    for (int i = 0; i < polygon.count; ++i) {
+        // Corners 1e15 times nearer than the triangle is long: not even double tells them from the eye.
+        if (!(polygon.corner[i].position.w >= kMinNormal)) return {};
+        result.vertex[result.count++] = rounded(polygon.corner[i], guard_x, guard_y);
+    }
+    return result;
 }
 
 }  // namespace kreda::raster

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <algorithm>
+#include <bit>
 #include <cstdint>
 
 #include <glm/vec2.hpp>
@@ -42,17 +43,23 @@ struct ScreenVertex {
 /// x of a vertex that has no place on the screen: its triangles go through the clipper.
 inline constexpr std::int32_t kNeedsClip = INT32_MIN;
 
-/// Is a clip-space position inside the near and far planes and the guard band? False for NaN.
+/// Is a clip-space position inside the near and far planes and the guard band? False for NaN, and where 1/w is not finite
+/// and above zero.
 inline bool inside_guard_band(const glm::vec4& clip, float guard_x, float guard_y) {
-    const bool in_depth = (clip.z >= -clip.w) & (clip.z <= clip.w) & (clip.w > 0.0f);
+    const bool can_divide = (clip.w >= kMinNormal) & (clip.w <= kMaxFinite);
+    const bool in_depth = (clip.z >= -clip.w) & (clip.z <= clip.w);
     const bool in_x = (clip.x >= -guard_x * clip.w) & (clip.x <= guard_x * clip.w);
     const bool in_y = (clip.y >= -guard_y * clip.w) & (clip.y <= guard_y * clip.w);
-    return in_depth & in_x & in_y;
+    return can_divide & in_depth & in_x & in_y;
 }
 
-/// How far the guard band reaches in normalized device coordinates, for half an image of this many samples.
+/// How far the guard band reaches in normalized device coordinates: up to kGuardBand samples from the centre of an image
+/// of this many samples. Rounded down to a power of two: then guard * w is exact, and the vertex stage and the clipper
+/// never disagree about a vertex on the border.
 inline float guard_band_ndc(int image_side) {
-    return kGuardBand / (0.5f * static_cast<float>(image_side));
+    constexpr std::uint32_t kSignAndExponent = 0xff800000u;
+    const float reach = kGuardBand / (0.5f * static_cast<float>(image_side));
+    return std::bit_cast<float>(std::bit_cast<std::uint32_t>(reach) & kSignAndExponent);
 }
 
 /// Perspective divide, viewport and snap: clip -> screen. Requires inside_guard_band().

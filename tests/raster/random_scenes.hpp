@@ -116,8 +116,8 @@ inline glm::mat4 clip_from_pixels(const Viewport& viewport, float near, float fa
 
 inline void add_triangle(Mesh& mesh, glm::vec3 a, glm::vec3 b, glm::vec3 c) {
     const auto first = static_cast<std::uint32_t>(mesh.positions.size());
-    mesh.positions.insert(mesh.positions.end(), {a, b, c});
-    mesh.indices.insert(mesh.indices.end(), {first, first + 1, first + 2});
+    for (const glm::vec3& corner : {a, b, c}) mesh.positions.push_back(corner);
+    for (std::uint32_t i = 0; i < 3; ++i) mesh.indices.push_back(first + i);
 }
 
 /// All triangles as one part, as the set-up wants it.
