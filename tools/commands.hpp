@@ -1,0 +1,15 @@
+// The commands of `kreda`: each adds itself, with its options and what it does, to the command line.
+#pragma once
+
+namespace CLI {
+class App;
+}
+
+namespace kreda::tools {
+
+void add_render_command(CLI::App& app);
+void add_plan_command(CLI::App& app);
+void add_keys_command(CLI::App& app);
+void add_gallery_command(CLI::App& app);
+
+}  // namespace kreda::tools

@@ -1,0 +1,46 @@
+// kreda keys: everything a scene file may say, from the table that the reader itself uses.
+#include <algorithm>
+#include <iomanip>
+#include <iostream>
+#include <string>
+
+#include <CLI/CLI.hpp>
+
+#include "scene/read_scene.hpp"
+#include "scene/scene_keys.hpp"
+#include "tools/commands.hpp"
+
+namespace kreda::tools {
+
+namespace {
+
+std::size_t widest_assignment() {
+    std::size_t width = 0;
+    for (const scene::KeyInfo& key : scene::scene_keys()) width = std::max(width, example_text(key).size());
+    return width;
+}
+
+void print_keys() {
+    const int width = static_cast<int>(widest_assignment()) + 2;
+    std::string_view table;
+    for (const scene::KeyInfo& key : scene::scene_keys()) {
+        if (key.table != table) std::cout << (table.empty() ? "" : "\n") << scene::table_title(key.table) << "\n";
+        table = key.table;
+        std::cout << "  " << std::left << std::setw(width) << example_text(key) << key.meaning << "\n"
+                  << "  " << std::setw(width) << "" << "  " << type_text(key) << "\n";
+    }
+}
+
+}  // namespace
+
+void add_keys_command(CLI::App& app) {
+    CLI::App* command = app.add_subcommand("keys", "Print every key of a scene file: default, meaning, what may be written");
+    const auto example = std::make_shared<bool>(false);
+    command->add_flag("--example", *example, "Print a whole scene file to start from instead: the built-in one");
+    command->callback([example] {
+        if (*example) std::cout << scene::built_in_scene_text();
+        else print_keys();
+    });
+}
+
+}  // namespace kreda::tools

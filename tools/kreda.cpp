@@ -1,0 +1,90 @@
+// kreda: the command line. Exit code 0: done; 2: something the user can mend, said in one line; 1: a fault of ours.
+#include <algorithm>
+#include <cstdio>
+#include <iostream>
+#include <new>
+#include <string>
+#include <vector>
+
+#include <CLI/CLI.hpp>
+
+#include "scene/error.hpp"
+#include "tools/commands.hpp"
+
+namespace {
+
+constexpr int kOurFault = 1;
+constexpr int kUserError = 2;
+
+constexpr const char* kVersion = "kreda " KREDA_VERSION;
+
+constexpr const char* kExamples = R"(
+Examples:
+  kreda render                                    the built-in scene, into built_in.png
+  kreda render scene.toml -o picture.png --samples 4
+  kreda render scene.toml --set light.0.intensity=2 --set material.gold.shininess=64
+  kreda plan scene.toml --why-not                 which passes the scene requires, and why
+  kreda keys                                      everything a scene file may say)";
+
+/// A complaint is one line, whatever is in the names that it quotes.
+int complain(std::string message, int exit_code) {
+    std::replace_if(message.begin(), message.end(), [](unsigned char c) { return c < 32 || c == 127; }, ' ');
+    std::cerr << message << "\n";
+    return exit_code;
+}
+
+std::vector<std::string> command_names(const CLI::App& app) {
+    std::vector<std::string> names;
+    for (const CLI::App* command : app.get_subcommands({})) names.push_back(command->get_name());
+    return names;
+}
+
+/// CLI11 asks for "a subcommand" when the first word is none: say which word, and what was meant.
+std::string unknown_command(const CLI::App& app, int argc, char** argv) {
+    const std::vector<std::string> names = command_names(app);
+    const std::string word = argc > 1 ? argv[1] : "";
+    if (word.empty() || word[0] == '-' || std::find(names.begin(), names.end(), word) != names.end()) return {};
+    const std::string near = kreda::scene::nearest_word(word, names);
+    return "there is no command '" + word + "'" + (near.empty() ? "" : "; did you mean '" + near + "'?");
+}
+
+int usage_error(const CLI::App& app, const CLI::ParseError& error, int argc, char** argv) {
+    const auto chosen = app.get_subcommands();
+    const std::string command = chosen.empty() ? "kreda" : "kreda " + chosen.front()->get_name();
+    const std::string unknown = unknown_command(app, argc, argv);
+    return complain(command + ": " + (unknown.empty() ? error.what() : unknown) + " (see " + command + " --help)",
+                    kUserError);
+}
+
+int run(CLI::App& app, int argc, char** argv) {
+    try {
+        app.parse(argc, argv);
+    } catch (const CLI::ParseError& error) {
+        if (error.get_exit_code() != 0) return usage_error(app, error, argc, argv);
+        app.exit(error);  // --help and --version
+    }
+    std::cout.flush();
+    return std::cout ? 0 : complain("kreda: the standard output cannot be written", kUserError);
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+    try {
+        CLI::App app{"Kreda draws a scene on the CPU, one step at a time, for lectures on lighting.", "kreda"};
+        app.set_version_flag("--version", kVersion, "Print the version");
+        app.require_subcommand(1);
+        app.footer(kExamples);
+        kreda::tools::add_render_command(app);
+        kreda::tools::add_plan_command(app);
+        kreda::tools::add_keys_command(app);
+        kreda::tools::add_gallery_command(app);
+        return run(app, argc, argv);
+    } catch (const kreda::scene::UserError& error) {
+        return complain(error.what(), kUserError);
+    } catch (const std::bad_alloc&) {
+        return complain("kreda: not enough memory; ask for a smaller image, fewer samples or less detail", kUserError);
+    } catch (const std::exception& error) {
+        return complain(std::string("kreda: a fault in kreda itself, please report it: ") + error.what(), kOurFault);
+    }
+}

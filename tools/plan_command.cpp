@@ -1,0 +1,34 @@
+// kreda plan: what a scene requires, and why.
+#include <iostream>
+#include <memory>
+
+#include <CLI/CLI.hpp>
+
+#include "scene/plan.hpp"
+#include "tools/commands.hpp"
+#include "tools/scene_options.hpp"
+
+namespace kreda::tools {
+
+namespace {
+
+struct PlanOptions {
+    SceneOptions scene;
+    bool why_not = false;
+};
+
+}  // namespace
+
+void add_plan_command(CLI::App& app) {
+    CLI::App* command =
+        app.add_subcommand("plan", "Print the passes that a scene requires, each with its reason and its memory");
+    const auto options = std::make_shared<PlanOptions>();
+    add_scene_options(*command, options->scene);
+    command->add_flag("--why-not", options->why_not, "Also list the passes that are left out, and what would need them");
+    command->footer("\nA pass that nothing requires is not run and allocates nothing.");
+    command->callback([options] {
+        std::cout << describe(make_plan(load_scene(options->scene)), options->why_not);
+    });
+}
+
+}  // namespace kreda::tools

@@ -1,0 +1,164 @@
+// kreda render: a scene file becomes a picture.
+#include <charconv>
+#include <filesystem>
+#include <iostream>
+#include <memory>
+#include <string>
+#include <system_error>
+
+#include <CLI/CLI.hpp>
+
+#include "raster/film.hpp"
+#include "scene/image_file.hpp"
+#include "scene/render.hpp"
+#include "tools/commands.hpp"
+#include "tools/scene_options.hpp"
+#include "tools/time_report.hpp"
+
+namespace kreda::tools {
+
+namespace {
+
+namespace fs = std::filesystem;
+using scene::Place;
+using scene::UserError;
+
+struct RenderOptions {
+    SceneOptions scene;
+    std::string output;  ///< empty: the scene's name and .png, in the current folder
+    std::string size;    ///< "640x360"; empty: what the scene says
+    int samples = 0;     ///< 0: what the scene says
+    int threads = 0;     ///< 0: as many as there are cores
+    int repeat = 1;
+    bool time = false;
+};
+
+/// "640x360" -> "[640,360]", what --set image.size wants.
+std::string size_value(const std::string& text) {
+    const auto whole = [](const std::string& digits) {
+        int number = 0;
+        const char* end = digits.data() + digits.size();
+        const auto [stop, error] = std::from_chars(digits.data(), end, number);
+        return error == std::errc() && stop == end ? number : 0;
+    };
+    const std::size_t x = text.find_first_of("xX");
+    const int width = x == std::string::npos ? 0 : whole(text.substr(0, x));
+    const int height = x == std::string::npos ? 0 : whole(text.substr(x + 1));
+    if (width < 1 || height < 1) {
+        throw UserError("--size " + text + ": expected WIDTHxHEIGHT in pixels, both at least 1, e.g. --size 640x360");
+    }
+    return "[" + std::to_string(width) + "," + std::to_string(height) + "]";
+}
+
+std::string output_path(const RenderOptions& options) {
+    if (!options.output.empty()) return options.output;
+    if (options.scene.file.empty()) return "built_in.png";
+    return fs::path(options.scene.file).stem().string() + ".png";
+}
+
+bool is_exr(const std::string& path) {
+    const std::string extension = fs::path(path).extension().string();
+    return extension == ".exr" || extension == ".EXR";
+}
+
+/// Before anything is loaded or drawn: nobody should wait for a picture that cannot be written.
+void check_output(const std::string& path) {
+    const std::string extension = fs::path(path).extension().string();
+    if (!is_exr(path) && extension != ".png" && extension != ".PNG") {
+        throw UserError(Place{path}, "pictures are .png (8-bit sRGB) or .exr (linear float); end the name with one of them");
+    }
+    const fs::path folder = fs::path(path).parent_path();
+    std::error_code ignored;
+    if (!folder.empty() && !fs::is_directory(folder, ignored)) {
+        throw UserError(Place{path}, "the folder " + folder.string() + " does not exist; create it first");
+    }
+    if (fs::is_directory(path, ignored)) throw UserError(Place{path}, "is a folder; a picture needs a file name");
+}
+
+raster::FilmSettings film_settings(const scene::ImageSettings& image) {
+    return {image.exposure, image.tone_map, image.white, image.transfer, image.gamma};
+}
+
+void warn_of_film(const raster::FilmReport& report, bool linear) {
+    const auto values = [](std::uint64_t count, const char* what) { return std::to_string(count) + what; };
+    if (report.not_a_number > 0) warn(values(report.not_a_number, " values of the picture are not a number; written as 0"));
+    if (report.infinite > 0) warn(values(report.infinite, " values of the picture are infinite; written as the largest value"));
+    if (report.negative > 0 && !linear) warn(values(report.negative, " values of the picture are negative; written as 0"));
+}
+
+void write_picture(const std::string& path, const raster::Image& film, const scene::ImageSettings& settings) {
+    raster::FilmReport report;
+    const bool linear = is_exr(path);
+    if (linear) {
+        scene::write_exr(path, raster::without_non_finite(film, &report));
+    } else {
+        scene::write_png(path, raster::develop(film, film_settings(settings), &report));
+    }
+    warn_of_film(report, linear);
+    std::cerr << "wrote " << path << " (" << film.width << " x " << film.height << ")\n";
+}
+
+scene::Scene load(const RenderOptions& options) {
+    SceneOptions scene_options = options.scene;
+    std::vector<std::string>& overrides = scene_options.read.overrides;
+    if (!options.size.empty()) overrides.push_back("image.size=" + size_value(options.size));
+    if (options.samples > 0) overrides.push_back("image.samples=" + std::to_string(options.samples));
+    return load_scene(scene_options);
+}
+
+void render_command(const RenderOptions& options) {
+    const std::string path = output_path(options);
+    check_output(path);
+    const scene::Scene scene = load(options);
+    const scene::RenderPlan plan = make_plan(scene);
+    scene::RenderBuffers buffers;
+    TimeReport report;
+    for (int i = 0; i < options.repeat; ++i) report.frames.push_back(render(scene, plan, buffers, options.threads));
+    const std::uint64_t dropped = report.frames.back().triangles.non_finite;
+    if (dropped > 0) warn(std::to_string(dropped) + " triangles were dropped: a corner is not a finite number");
+    write_picture(path, buffers.film, scene.image);
+    if (!options.time) return;
+    report.width = scene.image.width;
+    report.height = scene.image.height;
+    report.samples = scene.image.samples;
+    report.threads = static_cast<int>(buffers.scratch.size());
+    std::cout << json_line(report) << "\n";
+}
+
+constexpr const char* kExamples = R"(
+The scene file is described by `kreda keys`; a value given here wins over the file's.
+--time prints one line of JSON, milliseconds from the loaded scene to the linear film, without loading, tone mapping and
+writing. Stages that run tile by tile are summed over the threads and divided by their number. pixels_shaded counts
+visible samples: with --samples 2 up to four a pixel.
+
+Examples:
+  kreda render scene.toml -o picture.png
+  kreda render scene.toml -o picture.exr --size 1920x1080        linear float, before tone mapping
+  kreda render scene.toml --set camera.position=[0,1,4] --samples 4
+  kreda render --repeat 15 --time --threads 2                    how long a frame takes)";
+
+}  // namespace
+
+void add_render_command(CLI::App& app) {
+    CLI::App* command = app.add_subcommand("render", "Draw a scene into a PNG or EXR file");
+    const auto options = std::make_shared<RenderOptions>();
+    add_scene_options(*command, options->scene);
+    command->add_option("-o,--output", options->output,
+                        "The picture: .png (8-bit sRGB) or .exr (linear float); by default SCENE.png in this folder")
+        ->type_name("FILE");
+    command->add_option("--size", options->size, "Width and height in pixels, e.g. 640x360")->type_name("WxH");
+    command->add_option("--samples", options->samples, "N x N samples a pixel (antialiasing)")
+        ->type_name("N")
+        ->check(CLI::Range(1, 8));
+    command->add_option("--threads", options->threads, "Threads; by default one a core")
+        ->type_name("N")
+        ->check(CLI::Range(1, 256));
+    command->add_flag("--time", options->time, "Print the time of each stage as one line of JSON");
+    command->add_option("--repeat", options->repeat, "Draw N times; --time gives the median of each number")
+        ->type_name("N")
+        ->check(CLI::Range(1, 100000));
+    command->footer(kExamples);
+    command->callback([options] { render_command(*options); });
+}
+
+}  // namespace kreda::tools
