@@ -50,7 +50,8 @@ inline float attenuate(const Attenuation& a, float d) {
 inline float spot_cone(float cos_angle, float cos_inner, float cos_outer) {
     const float width = cos_inner - cos_outer;
     const float sharp = cos_angle >= cos_outer ? 1.0f : 0.0f;
-    const float t = width > 0.0f ? raster::saturate((cos_angle - cos_outer) / width) : sharp;
+    const float ramp = raster::saturate((cos_angle - cos_outer) / (width > 0.0f ? width : 1.0f));
+    const float t = width > 0.0f ? ramp : sharp;
     return t * t * (3.0f - 2.0f * t);
 }
 
@@ -77,15 +78,18 @@ inline LightSample sample_point(const LightSetup& light, const glm::vec3& p) {
     const glm::vec3 to_light = light.position - p;
     const float d2 = glm::dot(to_light, to_light);
     const float d = std::sqrt(d2 > 1e-30f ? d2 : 1e-30f);
-    const glm::vec3 l = to_light * (1.0f / d);
-    return {l, light.radiance * attenuate(light.attenuation, d)};
+    LightSample sample;
+    sample.l = to_light * (1.0f / d);
+    sample.irradiance = light.radiance * attenuate(light.attenuation, d);
+    return sample;
 }
 
 /// A spot light is a point light inside a cone around its axis.
 inline LightSample sample_spot(const LightSetup& light, const glm::vec3& p) {
-    const LightSample point = sample_point(light, p);
-    const float cos_angle = -glm::dot(point.l, light.axis);
-    return {point.l, point.irradiance * spot_cone(cos_angle, light.cos_inner, light.cos_outer)};
+    LightSample sample = sample_point(light, p);
+    const float cos_angle = -glm::dot(sample.l, light.axis);
+    sample.irradiance *= spot_cone(cos_angle, light.cos_inner, light.cos_outer);
+    return sample;
 }
 
 /// The light at one point p of a surface, whatever its type (world space).

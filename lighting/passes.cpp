@@ -1,6 +1,8 @@
 #include "lighting/passes.hpp"
 
+#include "lighting/microfacet_passes.hpp"
 #include "lighting/reflection.hpp"
+#include "lighting/ward.hpp"
 #include "raster/platform.hpp"
 
 namespace kreda::lighting {
@@ -85,6 +87,11 @@ KREDA_BATCH_LOOP void add_blinn_phong(int lanes, const PhongMaterial& material, 
     for (int i = 0; i < lanes; ++i) add_terms(c, i, blinn_phong(c.n.at(i), c.l.at(i), c.v.at(i), m));
 }
 
+KREDA_BATCH_LOOP void add_ward(int lanes, const PhongMaterial& material, LightingChannels& c) {
+    const PhongMaterial m = material;
+    for (int i = 0; i < lanes; ++i) add_terms(c, i, ward(c.n.at(i), c.l.at(i), c.v.at(i), m));
+}
+
 KREDA_BATCH_LOOP void sum_terms(int lanes, LightingChannels& c) {
     for (int i = 0; i < lanes; ++i) c.radiance.set(i, c.ambient.at(i) + c.diffuse.at(i) + c.specular.at(i));
 }
@@ -97,12 +104,26 @@ void sample_light(const Fragments& f, int lanes, const LightSetup& light, Lighti
     }
 }
 
-void add_reflection(int lanes, const Material& material, LightingChannels& c) {
+void add_reflection(int count, const MaterialSetup& setup, LightingChannels& c) {
+    const int lanes = lanes_for(count);
+    const PhongMaterial& m = setup.material.phong;
+    switch (setup.material.model) {
+        case ReflectionModel::unlit: return;
+        case ReflectionModel::lambert: return add_lambert(lanes, m, c);
+        case ReflectionModel::phong: return add_phong(lanes, m, c);
+        case ReflectionModel::blinn_phong: return add_blinn_phong(lanes, m, c);
+        case ReflectionModel::ward: return add_ward(lanes, m, c);
+        case ReflectionModel::cook_torrance: return add_cook_torrance(count, setup.cook_torrance, c);
+    }
+}
+
+/// What a surface shows without any light: s_A m_A + m_E; the microfacet model knows no ambient light.
+glm::vec3 unlit_radiance(const Material& material, const glm::vec3& s_A) {
+    const PhongMaterial& m = material.phong;
     switch (material.model) {
-        case ReflectionModel::lambert: return add_lambert(lanes, material.phong, c);
-        case ReflectionModel::phong: return add_phong(lanes, material.phong, c);
-        case ReflectionModel::blinn_phong: return add_blinn_phong(lanes, material.phong, c);
-        default: KREDA_EXPECT(material.model == ReflectionModel::unlit);
+        case ReflectionModel::unlit: return m.diffuse + m.emission;
+        case ReflectionModel::cook_torrance: return m.emission;
+        default: return ambient_term(s_A, m.ambient) + m.emission;
     }
 }
 
@@ -143,20 +164,28 @@ KREDA_BATCH_LOOP void mix_with_fog(int lanes, const glm::vec3& fog_color, Lighti
 
 }  // namespace
 
-void light_batch(const Fragments& fragments, const Material& material, const LightingSetup& setup,
+MaterialSetup prepare(const Material& material) {
+    MaterialSetup setup;
+    setup.material = material;
+    if (material.model == ReflectionModel::cook_torrance) setup.cook_torrance = prepare(material.cook_torrance);
+    return setup;
+}
+
+void light_batch(const Fragments& fragments, const MaterialSetup& material, const LightingSetup& setup,
                  LightingChannels& channels) {
     const int lanes = lanes_for(fragments.count);
-    const PhongMaterial& m = material.phong;
-    if (material.model == ReflectionModel::unlit) {
-        start_terms(lanes, m.diffuse + m.emission, channels);
-        return sum_terms(lanes, channels);
-    }
-    surface_directions(fragments, lanes, setup, channels);
-    if (setup.orthographic) same_view_everywhere(lanes, -setup.forward, channels);
-    start_terms(lanes, ambient_term(setup.ambient, m.ambient) + m.emission, channels);
-    for (const LightSetup& light : setup.lights) {
-        sample_light(fragments, lanes, light, channels);
-        add_reflection(lanes, material, channels);
+    const ReflectionModel model = material.material.model;
+    start_terms(lanes, unlit_radiance(material.material, setup.ambient), channels);
+    if (model != ReflectionModel::unlit) {
+        surface_directions(fragments, lanes, setup, channels);
+        if (setup.orthographic) same_view_everywhere(lanes, -setup.forward, channels);
+        if (model == ReflectionModel::cook_torrance) {
+            fill_surface(fragments.count, material.cook_torrance, channels.microfacet);
+        }
+        for (const LightSetup& light : setup.lights) {
+            sample_light(fragments, lanes, light, channels);
+            add_reflection(fragments.count, material, channels);
+        }
     }
     sum_terms(lanes, channels);
 }

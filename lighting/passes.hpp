@@ -5,6 +5,8 @@
 
 #include <glm/vec3.hpp>
 
+#include "lighting/channels.hpp"
+#include "lighting/cook_torrance.hpp"
 #include "lighting/fog.hpp"
 #include "lighting/light.hpp"
 #include "lighting/material.hpp"
@@ -12,18 +14,13 @@
 
 namespace kreda::lighting {
 
-/// Every quantity of the lecture's equation at every point of a batch.
-struct LightingChannels {
-    raster::Channel3 n;           ///< unit normal
-    raster::Channel3 v;           ///< unit, to the viewer
-    raster::Channel3 l;           ///< unit, to the light that is being added
-    raster::Channel3 irradiance;  ///< what that light sends, s(p)
-    raster::Channel3 ambient;     ///< s_A m_A + m_E
-    raster::Channel3 diffuse;     ///< sum of s m_D (l.n)
-    raster::Channel3 specular;    ///< sum of s m_S Sigma^h
-    raster::Channel fog;          ///< f
-    raster::Channel3 radiance;    ///< what leaves toward the viewer: linear RGB
+/// A material made ready for a frame: what its model computes once.
+struct MaterialSetup {
+    Material material;
+    CookTorranceSetup cook_torrance;  ///< only for model = cook_torrance
 };
+
+[[nodiscard]] MaterialSetup prepare(const Material& material);
 
 /// What is the same for all points of a frame.
 struct LightingSetup {
@@ -37,7 +34,7 @@ struct LightingSetup {
 
 /// The lecture's equation for all points of the batch:  radiance = ambient + diffuse + specular.
 /// Reads fragments.position and fragments.normal.
-void light_batch(const raster::Fragments& fragments, const Material& material, const LightingSetup& setup,
+void light_batch(const raster::Fragments& fragments, const MaterialSetup& material, const LightingSetup& setup,
                  LightingChannels& channels);
 
 /// Instead of light_batch where the points were lit before (at vertices, once a triangle): radiance = fragments.color.

@@ -41,7 +41,7 @@ VertexRange vertices_of_part(const raster::Mesh& mesh, const raster::MeshPart& p
     return {*least, *greatest + 1};
 }
 
-void light_range(const lighting::Material& material, const lighting::LightingSetup& setup, std::uint32_t first,
+void light_range(const lighting::MaterialSetup& material, const lighting::LightingSetup& setup, std::uint32_t first,
                  int total, raster::VertexStreams& streams) {
     for_each_batch(total, [&](int begin, int count, LightingScratch& scratch) {
         const std::uint32_t from = first + static_cast<std::uint32_t>(begin);
@@ -68,7 +68,7 @@ void set_flat_point(const RenderBuffers& buffers, const raster::TriangleChunk& c
 }
 
 /// Flat colours of one chunk of triangles (they share a material).
-void light_chunk(const Scene& scene, const lighting::LightingSetup& setup, const RenderBuffers& buffers,
+void light_chunk(const RenderPlan& plan, const lighting::LightingSetup& setup, const RenderBuffers& buffers,
                  const raster::TriangleChunk& chunk, std::vector<glm::vec3>& color, LightingScratch& scratch) {
     const int total = static_cast<int>(chunk.triangles.size());
     color.resize(chunk.triangles.size());
@@ -76,18 +76,18 @@ void light_chunk(const Scene& scene, const lighting::LightingSetup& setup, const
         const int count = std::min(kBatchCapacity, total - begin);
         for (int i = 0; i < count; ++i) set_flat_point(buffers, chunk, chunk.triangles[begin + i], i, scratch.points);
         scratch.points.count = count;
-        light_batch(scratch.points, scene.materials[chunk.triangles[0].material], setup, scratch.channels);
+        light_batch(scratch.points, plan.materials[chunk.triangles[0].material], setup, scratch.channels);
         for (int i = 0; i < count; ++i) color[begin + i] = scratch.channels.radiance.at(i);
     }
 }
 
 }  // namespace
 
-void light_vertices(const Scene& scene, const lighting::LightingSetup& setup, RenderBuffers& buffers) {
+void light_vertices(const RenderPlan& plan, const lighting::LightingSetup& setup, RenderBuffers& buffers) {
     for (const raster::MeshInstance& instance : buffers.instances) {
         for (std::size_t p = 0; p < instance.mesh->parts.size(); ++p) {
             const VertexRange range = vertices_of_part(*instance.mesh, instance.mesh->parts[p]);
-            light_range(scene.materials[instance.part_material[p]], setup, instance.first_vertex + range.first,
+            light_range(plan.materials[instance.part_material[p]], setup, instance.first_vertex + range.first,
                         static_cast<int>(range.end - range.first), buffers.streams);
         }
     }
@@ -102,7 +102,7 @@ void fog_vertices(const lighting::LightingSetup& setup, RenderBuffers& buffers) 
     });
 }
 
-void light_triangles(const Scene& scene, const lighting::LightingSetup& setup, RenderBuffers& buffers) {
+void light_triangles(const RenderPlan& plan, const lighting::LightingSetup& setup, RenderBuffers& buffers) {
     const int chunk_count = static_cast<int>(buffers.triangles.chunks.size());
     buffers.flat_color.resize(buffers.triangles.chunks.size());
 #pragma omp parallel
@@ -112,7 +112,7 @@ void light_triangles(const Scene& scene, const lighting::LightingSetup& setup, R
         for (int i = 0; i < chunk_count; ++i) {
             const raster::TriangleChunk& chunk = buffers.triangles.chunks[i];
             if (chunk.triangles.empty()) continue;
-            light_chunk(scene, setup, buffers, chunk, buffers.flat_color[i], *scratch);
+            light_chunk(plan, setup, buffers, chunk, buffers.flat_color[i], *scratch);
         }
     }
 }

@@ -134,6 +134,7 @@ RenderPlan make_plan(const Scene& scene) {
     plan.fog_at_pixels = foggy && scene.fog.frequency == lighting::FogFrequency::pixel;
     plan.vertex = vertex_needs(scene, plan);
     plan.fragment = fragment_needs(plan);
+    for (const lighting::Material& material : scene.materials) plan.materials.push_back(prepare(material));
     if (!scene.objects.empty()) {
         plan_vertices(scene, sizes, plan);
         plan_triangles(sizes, plan);

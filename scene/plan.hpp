@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "lighting/passes.hpp"
 #include "raster/fragments.hpp"
 #include "raster/triangle_setup.hpp"
 #include "raster/vertex_stage.hpp"
@@ -38,6 +39,7 @@ struct RenderPlan {
     ShadingFrequency frequency = ShadingFrequency::phong;
     raster::VertexNeeds vertex;  ///< attributes of the vertex streams
     raster::FragmentNeeds fragment;  ///< attributes that are interpolated for each visible sample
+    std::vector<lighting::MaterialSetup> materials;  ///< the scene's, made ready
     bool fog_at_vertices = false;
     bool fog_at_pixels = false;
     std::vector<PlannedPass> passes;

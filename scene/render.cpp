@@ -143,7 +143,7 @@ RenderStatistics render(const Scene& scene, const RenderPlan& plan, RenderBuffer
     transform_vertices(buffers.instances, clip_from_world, plan.viewport, buffers.streams);
     lap("vertices");
     if (plan.vertex.color) {
-        light_vertices(scene, lighting, buffers);
+        light_vertices(plan, lighting, buffers);
         lap("light vertices");
     }
     if (plan.vertex.fog) {
@@ -154,7 +154,7 @@ RenderStatistics render(const Scene& scene, const RenderPlan& plan, RenderBuffer
                                            buffers.streams, buffers.triangles);
     lap("triangles");
     if (plan.frequency == ShadingFrequency::flat) {
-        light_triangles(scene, lighting, buffers);
+        light_triangles(plan, lighting, buffers);
         lap("light triangles");
     }
     render_tiles({scene, plan, lighting, buffers});

@@ -65,7 +65,7 @@ KREDA_BATCH_LOOP void paint_flat_runs(const RenderBuffers& buffers, const Run* r
 /// The radiance of every point of the batch, fog included.
 void shade_batch(const TileFrame& frame, std::uint32_t material, TileScratch& scratch) {
     if (frame.plan.frequency == ShadingFrequency::phong) {
-        light_batch(scratch.fragments, frame.scene.materials[material], frame.lighting, scratch.lighting);
+        light_batch(scratch.fragments, frame.plan.materials[material], frame.lighting, scratch.lighting);
     } else {
         copy_color(scratch.fragments, scratch.lighting);
     }

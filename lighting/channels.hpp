@@ -1,0 +1,33 @@
+// The named quantities of a batch while it is lit: what the passes write for each other and for the pictures of stages.
+#pragma once
+
+#include "raster/fragments.hpp"
+
+namespace kreda::lighting {
+
+/// The quantities of the microfacet model at every point; they hold something only where the material is cook_torrance.
+struct MicrofacetChannels {
+    raster::Channel3 albedo;                       ///< c, linear RGB
+    raster::Channel3 f0;                           ///< reflectance at normal incidence
+    raster::Channel metallic, roughness, alpha, ao;
+    raster::Channel n_dot_l, n_dot_v, n_dot_h, v_dot_h, sin2_h;
+    raster::Channel D;                             ///< of the light that is being added
+    raster::Channel V;                             ///< G / (4 (n.l)(n.v)) of that light
+    raster::Channel3 F;                            ///< at v.h, of that light
+};
+
+/// Every quantity of the lecture's equation at every point of a batch.
+struct LightingChannels {
+    raster::Channel3 n;           ///< unit normal
+    raster::Channel3 v;           ///< unit, to the viewer
+    raster::Channel3 l;           ///< unit, to the light that is being added
+    raster::Channel3 irradiance;  ///< what that light sends, s(p)
+    raster::Channel3 ambient;     ///< s_A m_A + m_E
+    raster::Channel3 diffuse;     ///< sum over lights of s m_D (l.n)
+    raster::Channel3 specular;    ///< sum over lights of s m_S Sigma^h
+    raster::Channel fog;          ///< f
+    raster::Channel3 radiance;    ///< what leaves toward the viewer: linear RGB
+    MicrofacetChannels microfacet;
+};
+
+}  // namespace kreda::lighting

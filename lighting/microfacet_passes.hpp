@@ -1,0 +1,16 @@
+// Cook and Torrance's model for a batch: angles, D, V, F, sum; each a loop over one formula. 4 distributions, 5 geometries and
+// 8 Fresnel methods are 17 loops, not 160.
+#pragma once
+
+#include "lighting/channels.hpp"
+#include "lighting/cook_torrance.hpp"
+
+namespace kreda::lighting {
+
+/// The material's constants at every point (maps overwrite what they give, see surface_maps).
+void fill_surface(int count, const CookTorranceSetup& setup, MicrofacetChannels& channels);
+
+/// Add what the light in channels.l, channels.irradiance reflects to channels.diffuse and channels.specular.
+void add_cook_torrance(int count, const CookTorranceSetup& setup, LightingChannels& channels);
+
+}  // namespace kreda::lighting
