@@ -1,0 +1,96 @@
+// Cook and Torrance's model   f = k_d c / pi + D V F          Cook & Torrance 1982; Gelemanovic 2018, section 2
+//   D  microfacets facing the half vector     V = G / (4 (n.l)(n.v))  seen by both     F  Fresnel at v.h
+//   F0 = mix(0.04, albedo, metallic)     k_d = (1 - F)(1 - metallic)     alpha = roughness^2
+//
+// cook_torrance() is the whole formula at one point: for stepping, and the reference for the batch passes. A batch runs
+// the same small functions as passes of their own: angles; one loop a D; one a V; one a Fresnel method; combine. That
+// is 4 + 5 + 8 + 2 loops instead of 4 x 5 x 8, and none of them has a branch.
+#pragma once
+
+#include <glm/common.hpp>
+#include <glm/vec3.hpp>
+
+#include "lighting/energy.hpp"
+#include "lighting/fresnel.hpp"
+#include "lighting/material.hpp"
+#include "lighting/microfacet.hpp"
+#include "lighting/reflection.hpp"
+
+namespace kreda::lighting {
+
+/// F0 of every dielectric whose index nobody knows: n = 1.5.
+inline constexpr float kDielectricF0 = 0.04f;
+
+/// What may vary from point to point (maps), ready for the formulas.
+struct MicrofacetSurface {
+    glm::vec3 albedo{0.8f};
+    glm::vec3 f0{kDielectricF0};
+    float metallic = 0.0f;
+    float roughness = 0.5f;
+    float alpha = 0.25f;  ///< alpha_from_roughness
+};
+
+/// Constants of a material, computed once by prepare().
+struct CookTorranceSetup {
+    Distribution distribution = Distribution::ggx;
+    Geometry geometry = Geometry::schlick_ggx;
+    FresnelMethod fresnel = FresnelMethod::schlick;
+    EnergyCompensation energy_compensation = EnergyCompensation::none;
+    bool has_index = false;     ///< n and k were given: F0 comes from them, not from albedo and metallic
+    MicrofacetSurface surface;  ///< where no map says otherwise
+    glm::vec3 n{1.5f};          ///< exact: as given, or the dielectric with this F0
+    glm::vec3 k{0.0f};
+    glm::vec3 correction_a{0.0f};  ///< corrected_schlick
+    glm::vec3 correction_lambda{1.0f};
+    glm::vec3 f82_b{0.0f};        ///< f82; 0 without n and k: then it is Schlick
+    float nvidia_power = 5.0f;    ///< nvidia: bias = F0, scale = 1 - F0
+    FresnelTable table;           ///< table
+    glm::vec3 f_avg_shift{0.0f};  ///< average of F minus that of Schlick's with the same F0 (compensation)
+    EnergyTable energy;           ///< kulla_conty
+};
+
+[[nodiscard]] CookTorranceSetup prepare(const CookTorranceMaterial& material);
+
+/// F0 = mix(0.04, albedo, metallic)                                                    Gelemanovic 2018, section 2.2.3
+inline glm::vec3 base_reflectivity(const glm::vec3& albedo, float metallic) {
+    return glm::vec3(kDielectricF0 * (1.0f - metallic)) + albedo * metallic;
+}
+
+/// The surface where maps give albedo, metallic and roughness.
+inline MicrofacetSurface surface_from_maps(const glm::vec3& albedo, float metallic, float roughness,
+                                           const CookTorranceSetup& setup) {
+    const glm::vec3 f0 = setup.has_index ? setup.surface.f0 : base_reflectivity(albedo, metallic);
+    return {albedo, f0, metallic, roughness, alpha_from_roughness(roughness)};
+}
+
+/// What D, V and F together reflect of one light, times n.l.
+///   diffuse  k_d c / pi (n.l),   k_d = (1 - F)(1 - metallic)      specular  D V F (n.l)
+inline ReflectedTerms combine_terms(float n_dot_l, float D, float V, const glm::vec3& F, const glm::vec3& albedo,
+                                    float metallic) {
+    const glm::vec3 transmitted{raster::saturate(1.0f - F.x), raster::saturate(1.0f - F.y),
+                                raster::saturate(1.0f - F.z)};
+    const glm::vec3 k_d = transmitted * (1.0f - metallic);
+    return {k_d * albedo * (raster::kInvPi * n_dot_l), F * (D * V * n_dot_l)};
+}
+
+/// D of the chosen distribution.
+[[nodiscard]] float distribution_term(Distribution distribution, const MicrofacetAngles& angles, float alpha);
+
+/// V of the chosen geometry.
+[[nodiscard]] float visibility_term(Geometry geometry, const MicrofacetAngles& angles, float alpha, float roughness);
+
+/// F of the chosen method at v.h.
+[[nodiscard]] glm::vec3 fresnel_term(const CookTorranceSetup& setup, float v_dot_h, const glm::vec3& f0);
+
+/// Kulla and Conty's lobe times n.l.
+[[nodiscard]] glm::vec3 compensation_term(const CookTorranceSetup& setup, const MicrofacetSurface& surface,
+                                          float n_dot_l, float n_dot_v);
+
+/// The model of one light at one point. n, l, v unit. A light behind the surface adds nothing; a viewer behind it (the
+/// interpolated normal of a silhouette) counts as n.v = 0.
+[[nodiscard]] ReflectedTerms cook_torrance(const glm::vec3& n, const glm::vec3& l, const glm::vec3& v,
+                                           const CookTorranceSetup& setup, const MicrofacetSurface& surface);
+[[nodiscard]] ReflectedTerms cook_torrance(const glm::vec3& n, const glm::vec3& l, const glm::vec3& v,
+                                           const CookTorranceSetup& setup);
+
+}  // namespace kreda::lighting
