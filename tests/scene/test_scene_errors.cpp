@@ -125,6 +125,7 @@ TEST_CASE("Values that do not go together are refused") {
     CHECK(has(complaint("[[light]]\ndirection = [0, 0, 0]\n"), "s.toml:2:13: 'direction' in [[light]] has length 0"));
     CHECK(complaint("[[light]]\nattenuation = [0, 0, 0]\n") ==
           "s.toml:2:15: 'attenuation' in [[light]] divides by zero; [1, 0, 0] means none");
+    CHECK(complaint("[[light]]\ncone = [20, 20]\n") == "no complaint");  // a hard edge
     CHECK(complaint("[[light]]\ncone = [30, 20]\n") ==
           "s.toml:2:8: 'cone' in [[light]]: the first angle must not exceed the second");
     CHECK(complaint("[[material]]\nname = 'a'\n[[material]]\nname = 'a'\n") ==
