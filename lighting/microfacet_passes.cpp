@@ -129,7 +129,14 @@ KREDA_BATCH_LOOP void find_f82(int lanes, const glm::vec3& b, MicrofacetChannels
 }
 
 KREDA_BATCH_LOOP void find_in_table(int lanes, const FresnelTable& table, MicrofacetChannels& m) {
-    for (int i = 0; i < lanes; ++i) m.F.set(i, fresnel_lookup(m.v_dot_h.at(i), table));
+    const float* const r = table.r.data();
+    const float* const g = table.g.data();
+    const float* const b = table.b.data();
+    const int size = table.size();
+    for (int i = 0; i < lanes; ++i) {  // not vectorized: each look-up goes to its own place in the table
+        const float c = m.v_dot_h.at(i);
+        m.F.set(i, {fresnel_lookup(c, r, size), fresnel_lookup(c, g, size), fresnel_lookup(c, b, size)});
+    }
 }
 
 KREDA_BATCH_LOOP void find_nvidia(int lanes, float power, MicrofacetChannels& m) {
@@ -140,7 +147,7 @@ KREDA_BATCH_LOOP void find_nvidia(int lanes, float power, MicrofacetChannels& m)
 }
 
 KREDA_BATCH_LOOP void find_constant(int lanes, MicrofacetChannels& m) {
-    for (int i = 0; i < lanes; ++i) m.F.set(i, m.f0.at(i));
+    for (int i = 0; i < lanes; ++i) m.F.set(i, m.f0.at(i));  // not vectorized: GCC makes it calls of memcpy
 }
 
 void find_fresnel(int lanes, const CookTorranceSetup& setup, MicrofacetChannels& m) {
@@ -173,7 +180,7 @@ KREDA_BATCH_LOOP void add_light(int lanes, LightingChannels& c) {
 
 KREDA_BATCH_LOOP void add_compensation(int lanes, const CookTorranceSetup& setup, LightingChannels& c) {
     const MicrofacetChannels& m = c.microfacet;
-    for (int i = 0; i < lanes; ++i) {
+    for (int i = 0; i < lanes; ++i) {  // not vectorized: an option, and most of it are look-ups in a table
         MicrofacetSurface surface;
         surface.f0 = m.f0.at(i);
         surface.roughness = m.roughness.at(i);

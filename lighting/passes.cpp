@@ -192,7 +192,9 @@ void light_batch(const Fragments& fragments, const MaterialSetup& material, cons
 
 void copy_color(const Fragments& fragments, LightingChannels& channels) {
     const int lanes = lanes_for(fragments.count);
-    for (int i = 0; i < lanes; ++i) channels.radiance.set(i, fragments.color.at(i));
+    for (int i = 0; i < lanes; ++i) {  // not vectorized: GCC makes it calls of memcpy
+        channels.radiance.set(i, fragments.color.at(i));
+    }
 }
 
 void fog_factors(const Fragments& fragments, const LightingSetup& setup, LightingChannels& channels) {

@@ -21,7 +21,9 @@
 /// Marks a batch loop: a function that runs one scalar formula over a whole batch. In `release` GCC compiles it once
 /// for SSE4.2, once for AVX2 and once for AVX-512, and the right one is picked when the program starts. A clone inlines what it
 /// calls, so nothing compiled for a newer machine leaks into the rest of the program.
-#if defined(KREDA_MULTIVERSION)
+#if defined(KREDA_BATCH_LOOP)
+// chosen by a check of the build, see tests/vectorized
+#elif defined(KREDA_MULTIVERSION)
 #define KREDA_BATCH_LOOP __attribute__((target_clones("default", "arch=x86-64-v3", "arch=x86-64-v4"), flatten))
 #else
 #define KREDA_BATCH_LOOP

@@ -97,8 +97,12 @@ void prepare_film(const Scene& scene, raster::Image& film) {
 
 void render_tiles(const TileFrame& frame) {
     const int tile_count = frame.buffers.triangles.grid.columns * frame.buffers.triangles.grid.rows;
+    const std::vector<int>& order = frame.buffers.tile_order;
 #pragma omp parallel for schedule(dynamic)
-    for (int t = 0; t < tile_count; ++t) render_tile(frame, t, *frame.buffers.scratch[thread_number()]);
+    for (int t = 0; t < tile_count; ++t) {
+        const int tile = order.empty() ? t : order[static_cast<std::size_t>(t)];
+        render_tile(frame, tile, *frame.buffers.scratch[static_cast<std::size_t>(thread_number())]);
+    }
 }
 
 void add_tile_times(const RenderBuffers& buffers, RenderStatistics& statistics) {

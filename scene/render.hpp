@@ -30,6 +30,7 @@ struct RenderBuffers {
     std::vector<std::vector<glm::vec3>> flat_color;       ///< flat shading: one a triangle, chunk by chunk
     std::vector<std::unique_ptr<TileScratch>> scratch;    ///< one a thread
     raster::Image film;                                   ///< linear RGB radiance, row 0 on top
+    std::vector<int> tile_order;                          ///< tests shuffle the tiles; empty: row by row
 };
 
 /// Milliseconds by stage, in the order of the pipeline; stages that run tile by tile are summed over all threads and

@@ -1,0 +1,36 @@
+# cmake -DCOMPILER=g++ -DSOURCE=folder -DFILE=lighting/passes.cpp -P check.cmake
+# Compiles FILE for AVX2 as `release` does and asks GCC which loops became vector code. Every loop over lanes,
+# "for (int i = 0; i < lanes; ++i)", must be among them, unless its line says "// not vectorized: why".
+execute_process(COMMAND ${COMPILER} -std=c++20 -O3 -march=x86-64-v3 -fopenmp -ffp-contract=off -fno-math-errno -fno-trapping-math
+  -DKREDA_MULTIVERSION=1 -DGLM_FORCE_XYZW_ONLY "-DKREDA_BATCH_LOOP=__attribute__((flatten))" -I${SOURCE}
+  -fopt-info-vec-optimized -c ${SOURCE}/${FILE} -o /dev/null
+  ERROR_VARIABLE report RESULT_VARIABLE code)
+if(NOT code EQUAL 0)
+  message(FATAL_ERROR "${FILE} does not compile:\n${report}")
+endif()
+file(READ ${SOURCE}/${FILE} text)
+string(REPLACE ";" "," text "${text}")
+string(REPLACE "[" "(" text "${text}")
+string(REPLACE "]" ")" text "${text}")
+string(REPLACE "\n" ";" lines "${text}")
+set(number 0)
+set(loops 0)
+set(scalar "")
+foreach(line IN LISTS lines)
+  math(EXPR number "${number} + 1")
+  if(NOT line MATCHES "for .int i = 0, i < lanes, ..i." OR line MATCHES "// not vectorized: ")
+    continue()
+  endif()
+  math(EXPR loops "${loops} + 1")
+  if(NOT report MATCHES "${FILE}:${number}:[0-9]+: optimized: loop vectorized using 32 byte vectors")
+    list(APPEND scalar "${FILE}:${number}: ${line}")
+  endif()
+endforeach()
+if(scalar)
+  string(REPLACE ";" "\n" scalar "${scalar}")
+  message(FATAL_ERROR "not vectorized:\n${scalar}")
+endif()
+if(loops EQUAL 0)
+  message(FATAL_ERROR "${FILE} holds no loop over lanes: has the pattern changed?")
+endif()
+message("${loops} loops over lanes, all vectorized")
