@@ -18,20 +18,22 @@ vertical_fov = 30
 
 [shading]
 frequency = "phong"              # try "gouraud" and "flat"
+cull = "none"                    # the pot is open at its rim: "back" lets you see through
 
 [ambient]
-color = [0.25, 0.25, 0.3]        # s_A
+color = [0.15, 0.15, 0.2]        # s_A
 
 [[light]]                        # the sun, over your left shoulder
 type = "directional"
-direction = [1, -2, -1.5]        # the way the light travels
+direction = [1, -1.6, -0.9]      # the way the light travels
 color = [1, 0.95, 0.85]
-intensity = 0.8
+intensity = 0.85
 
-[[light]]                        # a blue lamp behind the pot, for the rim of its belly
+[[light]]                        # a blue lamp behind the spout, for the rim of the belly
 type = "point"
-position = [-1.5, 1.2, -1.5]
+position = [1.8, 0.7, -1.4]
 color = [0.5, 0.65, 1]
+intensity = 1.2
 attenuation = [1, 0, 0.2]        # 1 / (1 + 0.2 d^2)
 
 [[material]]
