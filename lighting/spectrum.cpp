@@ -94,7 +94,8 @@ ThreeChannelIndex published_index(std::string_view name) {
     if (name == "platinum") return {{2.49f, 2.04f, 1.9f}, {4.44f, 3.63f, 3.28f}};
     if (name == "water") return {{1.331f, 1.3336f, 1.336f}, glm::vec3(0.0f)};
     if (name == "diamond") return {{2.41f, 2.42f, 2.43f}, glm::vec3(0.0f)};
-    return {glm::vec3(0.0f), glm::vec3(0.0f)};
+    KREDA_EXPECT(name == "a material of table 1");
+    return {};
 }
 
 glm::vec3 linear_srgb_from_spectrum(const Spectrum& reflectance) {

@@ -49,7 +49,7 @@ inline constexpr std::array<double, 3> kChannelWavelengths = {685.0, 535.0, 475.
 /// The indices at 685, 535 and 475 nm.
 [[nodiscard]] ThreeChannelIndex three_channel_index(const MeasuredMaterial& material);
 
-/// Table 1 of Stetic-Kozic 2014, rounded as printed: gold, platinum, water, diamond. Nothing for other names: n = 0.
+/// Table 1 of Stetic-Kozic 2014, as printed, for one of its four materials: gold, platinum, water, diamond.
 /// Its gold is Hagemann's second set, its platinum Rakic's, its water Hale and Querry's, its diamond Phillip and
 /// Taft's.
 [[nodiscard]] ThreeChannelIndex published_index(std::string_view name);

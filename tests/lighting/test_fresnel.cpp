@@ -149,13 +149,14 @@ TEST_CASE("Fresnel: float follows complex arithmetic in double up to grazing") {
             }
         }
         for (const float n : {1.0001f, 1.01f, 1.333f, 1.5f, 2.42f, 4.0f}) {
-            worst_dielectric = std::max(worst_dielectric, std::abs(fresnel_dielectric(c, n) - reference(c, n, 0.0)));
+            const double F = reference(c, n, 0.0);
+            worst_dielectric = std::max(worst_dielectric, std::abs(fresnel_dielectric(c, n) - F) / F);
         }
     }
     CAPTURE(worst_metal);
     CAPTURE(worst_dielectric);
     CHECK(worst_metal < 5e-7);       // eight roundings; the printed eq. (8) has 2e-4 at k = 100
-    CHECK(worst_dielectric < 1e-6);  // (n - c) / (n + c) written with a difference has 7e-6
+    CHECK(worst_dielectric < 2e-6);  // even at F = 3e-9: with g - c as a difference n = 1.0001 is off by 6e-4
 }
 
 TEST_CASE("Fresnel: the polarized parts follow complex arithmetic") {

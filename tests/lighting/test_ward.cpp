@@ -104,6 +104,8 @@ TEST_CASE("Ward: nothing is reflected from behind and nothing is infinite at gra
     const ReflectedTerms behind = ward(kN, direction(2.0, 1.0), v, m);
     CHECK(behind.diffuse.x == 0.0f);
     CHECK(behind.specular.x == 0.0f);
+    CHECK(ward_isotropic({0.0f, 0.5f, 0.9f, 0.5f, 0.19f}, 0.5f) == 0.0f);  // n.l = 0
+    CHECK(ward_anisotropic(kN, kT, kB, direction(2.0, 1.0), v, 0.5f, 0.5f) == 0.0f);
     for (const double theta : {1.5, 1.57, 1.5707963, 3.14159265}) {
         const vec3 l = direction(theta, 2.0);
         CHECK(std::isfinite(ward(kN, l, v, m).specular.x));
