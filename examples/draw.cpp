@@ -2,11 +2,13 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include <glm/geometric.hpp>
 
 #include "examples/font.hpp"
 #include "raster/film.hpp"
+#include "raster/screen.hpp"
 
 namespace kreda::examples {
 
@@ -20,7 +22,9 @@ void blend(Image& image, int x, int y, const glm::vec3& color, float coverage) {
 }
 
 /// The pixels that a shape within [low, high] may touch.
-struct Box { int x0, y0, x1, y1; };
+struct Box {
+    int x0, y0, x1, y1;
+};
 Box box_of(const Image& image, glm::vec2 low, glm::vec2 high) {
     const auto cut = [](float value, int size) {
         return static_cast<int>(std::floor(std::clamp(value, 0.0f, static_cast<float>(size))));
@@ -84,6 +88,21 @@ void draw_disc(Image& image, glm::vec2 center, float radius, const glm::vec3& co
     draw_line(image, center, center, 2.0f * radius, color);
 }
 
+void fill_triangle(Image& image, const glm::vec2 (&corner)[3], const glm::vec3& color) {
+    raster::ScreenVertex v[3];
+    for (int i = 0; i < 3; ++i) {
+        v[i].x = raster::round_half_up_to_int(corner[i].x * raster::kSubpixels);
+        v[i].y = raster::round_half_up_to_int(corner[i].y * raster::kSubpixels);
+    }
+    if (raster::edge_function(v[0].x, v[0].y, v[1].x, v[1].y, v[2].x, v[2].y) < 0) std::swap(v[1], v[2]);
+    const raster::SampleBox box = sample_box(v[0], v[1], v[2], image.width, image.height);
+    for (int y = box.y_first; y <= box.y_last; ++y) {
+        for (int x = box.x_first; x <= box.x_last; ++x) {
+            if (covers_sample(v[0], v[1], v[2], x, y)) image.set_rgb(x, y, color);
+        }
+    }
+}
+
 void draw_triangle_outline(Image& image, const glm::vec2 (&corner)[3], float width, const glm::vec3& color) {
     for (int i = 0; i < 3; ++i) draw_line(image, corner[i], corner[(i + 1) % 3], width, color);
 }
@@ -92,10 +111,12 @@ void draw_text(Image& image, int x, int y, std::string_view text, const glm::vec
     for (const char character : text) {
         const bool printable = character >= ' ' && character <= '~';
         const Glyph& glyph = kFont[static_cast<std::size_t>((printable ? character : '?') - ' ')];
+        const bool descends = std::string_view("gjpqy").find(character) != std::string_view::npos;
+        const int top = descends ? y + kDescent * scale : y;
         for (int row = 0; row < kGlyphHeight; ++row) {
             for (int column = 0; column < kGlyphWidth; ++column) {
                 if ((glyph[row] >> (kGlyphWidth - 1 - column) & 1) == 0) continue;
-                fill_rectangle(image, x + column * scale, y + row * scale, scale, scale, color);
+                fill_rectangle(image, x + column * scale, top + row * scale, scale, scale, color);
             }
         }
         x += kGlyphAdvance * scale;
@@ -107,7 +128,7 @@ int text_scale(int picture_height) {
 }
 
 void draw_caption(Image& image, std::string_view text, int scale, const glm::vec3& color) {
-    const int margin = 2 * scale;
+    const int margin = 3 * scale;
     const int width = static_cast<int>(text.size()) * kGlyphAdvance * scale - scale + 2 * margin;
     const int height = kGlyphHeight * scale + 2 * margin;
     fill_rectangle(image, 0, image.height - height, width, height, kBoard);

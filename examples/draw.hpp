@@ -1,5 +1,6 @@
-// Drawing on pictures: lines, discs, captions, enlarging, montages. Colours are linear RGB, positions are in pixels with
-// (0, 0) in the upper left corner of the upper left pixel, whose centre is (0.5, 0.5). What lies outside is cut off.
+// Drawing on pictures: lines, discs, captions, enlarging, montages. Colours are linear RGB, positions are in pixels
+// with (0, 0) in the upper left corner of the upper left pixel, whose centre is (0.5, 0.5). What lies outside is cut
+// off.
 #pragma once
 
 #include <cstdint>
@@ -41,6 +42,8 @@ inline const glm::vec3 kYellow = srgb(0xf2d16b);
 void fill_rectangle(Image& image, int x, int y, int width, int height, const glm::vec3& color);
 void draw_line(Image& image, glm::vec2 from, glm::vec2 to, float width, const glm::vec3& color);
 void draw_disc(Image& image, glm::vec2 center, float radius, const glm::vec3& color);
+/// The pixels whose centre lies in a triangle of either orientation (raster/screen.hpp, 10_triangle).
+void fill_triangle(Image& image, const glm::vec2 (&corner)[3], const glm::vec3& color);
 void draw_triangle_outline(Image& image, const glm::vec2 (&corner)[3], float width, const glm::vec3& color);
 
 /// Dot text (ASCII); every dot is scale x scale pixels, a line is 7 of them high, a character 6 wide.

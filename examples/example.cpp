@@ -1,6 +1,6 @@
 #include "examples/example.hpp"
 
-#include <exception>
+#include <cstdio>
 #include <filesystem>
 #include <iostream>
 
@@ -43,8 +43,9 @@ int run(int argc, char** argv, const std::string& name, void (*draw)(const Optio
     std::string size;
     CLI::App app("Example " + name + ": writes its pictures to OUT/" + name + "/. Its page: docs/" + name + ".md");
     app.add_option("--out", out, "folder for the pictures, made if need be (default: out)");
-    app.add_option("--size", size, "size of the pictures (default: " + std::to_string(options.width) + "x" +
-                                       std::to_string(options.height) + ")");
+    app.add_option(
+        "--size", size,
+        "size of the pictures (default: " + std::to_string(options.width) + "x" + std::to_string(options.height) + ")");
     try {
         app.parse(argc, argv);
         if (!size.empty()) read_size(size, options);

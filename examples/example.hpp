@@ -11,13 +11,13 @@ namespace kreda::examples {
 
 /// What the command line says.
 struct Options {
-    int width = 640;     ///< size of every picture, in pixels
+    int width = 640;  ///< size of every picture, in pixels
     int height = 360;
     std::string folder;  ///< where the pictures go: OUT/NN_name, there already
 };
 
-/// Read `--out DIR`, `--size WxH`, `--help`; make the folder OUT/name; call draw. The result is main's: 0, or 2 after one
-/// line on stderr when the user can mend it.
+/// Read `--out DIR`, `--size WxH`, `--help`; make the folder OUT/name; call draw. The result is main's: 0, or 2 after
+/// one line on stderr when the user can mend it.
 int run(int argc, char** argv, const std::string& name, void (*draw)(const Options&), Options defaults = {});
 
 /// Write linear RGB as OUT/NN_name/<file>.png, 8-bit sRGB.

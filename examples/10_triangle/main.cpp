@@ -27,7 +27,8 @@ std::int64_t edge_at_centre(const ScreenVertex& a, const ScreenVertex& b, int x,
 
 void draw_outline(Image& image, const Triangle& triangle, int cell, const char* names) {
     glm::vec2 corner[3];
-    for (int i = 0; i < 3; ++i) corner[i] = glm::vec2(triangle[i].x, triangle[i].y) * (float(cell) / raster::kSubpixels);
+    for (int i = 0; i < 3; ++i)
+        corner[i] = glm::vec2(triangle[i].x, triangle[i].y) * (float(cell) / raster::kSubpixels);
     draw_triangle_outline(image, corner, 0.07f * float(cell), kChalk);
     for (int i = 0; i < 3; ++i) {
         draw_disc(image, corner[i], 0.13f * float(cell), kYellow);
@@ -61,8 +62,8 @@ void draw_edge_functions(const Options& options) {
     std::vector<Image> panels(4, make_board(kColumns, kRows));
     for (int y = 0; y < kRows; ++y) {
         for (int x = 0; x < kColumns; ++x) {
-            const glm::vec3 weight = glm::vec3(edge_at_centre(a, b, x, y), edge_at_centre(b, c, x, y),
-                                               edge_at_centre(c, a, x, y)) / area2;
+            const glm::vec3 weight =
+                glm::vec3(edge_at_centre(a, b, x, y), edge_at_centre(b, c, x, y), edge_at_centre(c, a, x, y)) / area2;
             for (int i = 0; i < 3; ++i) panels[i].set_rgb(x, y, signed_color(weight[i]));
             const bool inside = weight.x > 0.0f && weight.y > 0.0f && weight.z > 0.0f;
             if (inside) panels[3].set_rgb(x, y, weight.x * kGreen + weight.y * kBlue + weight.z * kOrange);
@@ -114,12 +115,14 @@ void draw(const Options& options) {
     draw_coverage(options);
     draw_edge_functions(options);
     const glm::ivec2 size = panel_size(options.width, options.height, 3, 1);
-    save(options, "top_left_rule", montage(options.width, options.height, 3,
-                                           {draw_rule(TieRule::nobody, "E > 0: gaps", size),
-                                            draw_rule(TieRule::everybody, "E >= 0: twice", size),
-                                            draw_rule(TieRule::top_left, "top-left: once", size)}));
+    save(options, "top_left_rule",
+         montage(options.width, options.height, 3,
+                 {draw_rule(TieRule::nobody, "E > 0: gaps", size), draw_rule(TieRule::everybody, "E >= 0: twice", size),
+                  draw_rule(TieRule::top_left, "top-left: once", size)}));
 }
 
 }  // namespace
 
-int main(int argc, char** argv) { return run(argc, argv, "10_triangle", draw); }
+int main(int argc, char** argv) {
+    return run(argc, argv, "10_triangle", draw);
+}

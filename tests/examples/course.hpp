@@ -8,8 +8,8 @@
 
 namespace kreda::tests {
 
-/// A golden image, "10_triangle/coverage.png". golden_check holds every example to its golden images, so what is true of
-/// them is true of what the example draws.
+/// A golden image, "10_triangle/coverage.png". golden_check holds every example to its golden images, so what is true
+/// of them is true of what the example draws.
 [[nodiscard]] raster::Image golden(const std::string& file);
 
 /// Names of all examples, "10_triangle", sorted.

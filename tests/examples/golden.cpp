@@ -12,8 +12,8 @@ int byte_of(float value) {
 
 ImageDifference compare_bytes(const raster::Image& actual, const raster::Image& expected) {
     ImageDifference difference;
-    difference.same_size = actual.width == expected.width && actual.height == expected.height &&
-                           actual.channels == expected.channels;
+    difference.same_size =
+        actual.width == expected.width && actual.height == expected.height && actual.channels == expected.channels;
     if (!difference.same_size) return difference;
     for (int y = 0; y < actual.height; ++y) {
         for (int x = 0; x < actual.width; ++x) {

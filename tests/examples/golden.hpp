@@ -8,11 +8,13 @@
 namespace kreda::tests {
 
 struct ImageDifference {
-    bool same_size = false;      ///< width, height and channels; without it nothing else is known
-    int pixels = 0;              ///< that differ in any channel
-    int largest = 0;             ///< largest difference of a channel, 0..255
+    bool same_size = false;        ///< width, height and channels; without it nothing else is known
+    int pixels = 0;                ///< that differ in any channel
+    int largest = 0;               ///< largest difference of a channel, 0..255
     int first_x = 0, first_y = 0;  ///< the first pixel that differs, row by row from the top
-    [[nodiscard]] bool none() const { return same_size && pixels == 0; }
+    [[nodiscard]] bool none() const {
+        return same_size && pixels == 0;
+    }
 };
 
 /// The byte that a PNG holds for a value of 0..1.

@@ -1,7 +1,7 @@
 // golden_check PROGRAM GOLDEN_FOLDER FAILURE_FOLDER: runs an example at a small size and compares every picture it
-// writes with the golden one, byte by byte. What differs is saved to FAILURE_FOLDER: NAME.expected.png, NAME.actual.png,
-// NAME.difference.png. With the environment variable KREDA_RENEW_GOLDEN=1 the new pictures become the golden ones: look
-// at them first.
+// writes with the golden one, byte by byte. What differs is saved to FAILURE_FOLDER: NAME.expected.png,
+// NAME.actual.png, NAME.difference.png. With the environment variable KREDA_RENEW_GOLDEN=1 the new pictures become the
+// golden ones: look at them first.
 #include <cstdlib>
 #include <exception>
 #include <filesystem>

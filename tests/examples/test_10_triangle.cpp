@@ -10,9 +10,8 @@ using namespace kreda::tests;
 
 namespace {
 
-
-/// Is (x, y) strictly inside the polygon of corners given in quarters of a pixel? By the crossing number of a ray to the right,
-/// in exact integers, which uses no edge function. No centre lies on an edge of the example's triangle.
+/// Is (x, y) strictly inside the polygon of corners given in quarters of a pixel? By the crossing number of a ray to
+/// the right, in exact integers, which uses no edge function. No centre lies on an edge of the example's triangle.
 bool inside_by_ray(const std::array<std::array<int, 2>, 3>& corner, int x, int y) {
     const int p_x = 4 * x + 2, p_y = 4 * y + 2;
     bool inside = false;
@@ -82,8 +81,8 @@ TEST_CASE("10 triangle: the covered pixels are those whose centre a ray test fin
 }
 
 TEST_CASE("10 triangle: strict gaps and inclusive doubles but top-left draws the square of 25 pixels once") {
-    // By hand: the square's corners are the centres of pixels 1 and 6. Strictly inside are 4 x 4 centres, 4 of them on the
-    // diagonal; inclusive are 6 x 6, 6 of them on the diagonal, which both triangles draw; half-open are 5 x 5.
+    // By hand: the square's corners are the centres of pixels 1 and 6. Strictly inside are 4 x 4 centres, 4 of them on
+    // the diagonal; inclusive are 6 x 6, 6 of them on the diagonal, which both triangles draw; half-open are 5 x 5.
     CHECK(count_by_colour(0)[1] == 12);
     CHECK(count_by_colour(0)[2] == 0);
     CHECK(count_by_colour(1)[1] == 30);
