@@ -62,7 +62,16 @@ inline float guard_band_ndc(int image_side) {
     return std::bit_cast<float>(std::bit_cast<std::uint32_t>(reach) & kSignAndExponent);
 }
 
-/// Perspective divide, viewport and snap: clip -> screen. Requires inside_guard_band().
+/// Window coordinate -> 1/256 sample, nearest, halves up. What lies beyond 2^15 samples, or is NaN, comes out as some
+/// number: no such vertex is drawn, but the loop over all vertices passes here with each of them.
+inline std::int32_t snap(float window) {
+    constexpr float kLimit = 32768.0f * kSubpixels;
+    const float subpixels = window * kSubpixels;
+    const float not_below = subpixels > -kLimit ? subpixels : -kLimit;
+    return round_half_up_to_int(not_below < kLimit ? not_below : kLimit);
+}
+
+/// Perspective divide, viewport and snap: clip -> screen. Means something only inside_guard_band().
 ///   x_window = (x/w + 1) width/2     y_window = (1 - y/w) height/2     z_window = (z/w + 1)/2
 inline ScreenVertex to_screen(const glm::vec4& clip, const Viewport& viewport) {
     const float inv_w = 1.0f / clip.w;
@@ -71,7 +80,7 @@ inline ScreenVertex to_screen(const glm::vec4& clip, const Viewport& viewport) {
     const float x_window = clip.x * inv_w * half_width + half_width;
     const float y_window = half_height - clip.y * inv_w * half_height;
     const float z_window = clip.z * inv_w * 0.5f + 0.5f;
-    return {round_half_up_to_int(x_window * kSubpixels), round_half_up_to_int(y_window * kSubpixels), z_window, inv_w};
+    return {snap(x_window), snap(y_window), z_window, inv_w};
 }
 
 /// Twice the signed area of the triangle a, b, p:  E = (b_x - a_x)(p_y - a_y) - (b_y - a_y)(p_x - a_x).

@@ -22,11 +22,9 @@ KREDA_BATCH_LOOP void project_vertices(const glm::vec3* __restrict position_obje
     const float guard_y = guard_band_ndc(view.height);
     for (int i = 0; i < count; ++i) {
         const glm::vec4 clip = m * glm::vec4(position_object[i], 1.0f);
-        const bool inside = inside_guard_band(clip, guard_x, guard_y);
-        const glm::vec4 safe(inside ? clip.x : 0.0f, inside ? clip.y : 0.0f, inside ? clip.z : 0.0f,
-                             inside ? clip.w : 1.0f);
-        const ScreenVertex vertex = to_screen(safe, view);
-        screen[i].x = inside ? vertex.x : kNeedsClip;
+        const std::int32_t keep = inside_guard_band(clip, guard_x, guard_y) ? -1 : 0;
+        const ScreenVertex vertex = to_screen(clip, view);
+        screen[i].x = (vertex.x & keep) | (kNeedsClip & ~keep);  // a mask: with ?: GCC makes it a branch
         screen[i].y = vertex.y;
         screen[i].z = vertex.z;
         screen[i].inv_w = vertex.inv_w;
@@ -92,7 +90,7 @@ void transform_vertices(const std::vector<MeshInstance>& instances, const glm::m
                         const Viewport& viewport, VertexStreams& streams) {
     for (const MeshInstance& instance : instances) {
         const int total = static_cast<int>(instance.mesh->positions.size());
-#pragma omp parallel for schedule(dynamic)
+#pragma omp parallel for schedule(dynamic) if (total > kVerticesPerTask)
         for (int begin = 0; begin < total; begin += kVerticesPerTask) {
             const int count = std::min(kVerticesPerTask, total - begin);
             transform_run(instance, clip_from_world, viewport, static_cast<std::uint32_t>(begin), count, streams);

@@ -19,7 +19,8 @@ struct LightingScratch {
 /// Call work(begin, count, scratch) for 0 .. total in steps of a batch, in parallel.
 template <class Work>
 void for_each_batch(int total, Work work) {
-#pragma omp parallel
+    constexpr int kWorthThreads = 8 * kBatchCapacity;
+#pragma omp parallel if (total > kWorthThreads)
     {
         const auto scratch = std::make_unique<LightingScratch>();
 #pragma omp for schedule(dynamic)
@@ -105,7 +106,7 @@ void fog_vertices(const lighting::LightingSetup& setup, RenderBuffers& buffers) 
 void light_triangles(const RenderPlan& plan, const lighting::LightingSetup& setup, RenderBuffers& buffers) {
     const int chunk_count = static_cast<int>(buffers.triangles.chunks.size());
     buffers.flat_color.resize(buffers.triangles.chunks.size());
-#pragma omp parallel
+#pragma omp parallel if (chunk_count > 1)
     {
         const auto scratch = std::make_unique<LightingScratch>();
 #pragma omp for schedule(dynamic)
