@@ -76,10 +76,23 @@ struct Ring {
     }
 };
 
-/// p is another corner at the place of the ear's tip b: does the outline run from there into the ear a b c?
-bool enters_ear_at_tip(const Ring& ring, std::uint32_t p, glm::dvec2 a, glm::dvec2 b, glm::dvec2 c) {
-    const auto is_between = [&](glm::dvec2 q) { return twice_area(a, b, q) > 0.0 && twice_area(b, c, q) > 0.0; };
-    return is_between(ring.at[ring.previous[p]]) || is_between(ring.at[ring.next[p]]);
+double cross(glm::dvec2 a, glm::dvec2 b) { return a.x * b.y - a.y * b.x; }
+
+/// Directions from one point: does d lie within the turn to the left from `first` to `last`, a turn of less than 180
+/// degrees? `first` itself is within, `last` is not.
+bool is_within_turn(glm::dvec2 first, glm::dvec2 d, glm::dvec2 last) {
+    const double from_first = cross(first, d);
+    return (from_first > 0.0 || (from_first == 0.0 && glm::dot(first, d) > 0.0)) && cross(d, last) > 0.0;
+}
+
+/// p is another corner at the place of the ear's tip b. Where p turns right, the wedge on its right is outside of the
+/// polygon (the end of a notch or a hole that touches b): is that wedge within the ear's?
+bool notch_is_within_ear(const Ring& ring, std::uint32_t p, glm::dvec2 a, glm::dvec2 b, glm::dvec2 c) {
+    if (ring.turn(p) > 0.0) return false;
+    const glm::dvec2 to_previous = ring.at[ring.previous[p]] - b, to_next = ring.at[ring.next[p]] - b;
+    const bool starts_within = is_within_turn(c - b, to_previous, a - b);
+    const bool ends_within = cross(c - b, to_next) > 0.0 && cross(to_next, a - b) >= 0.0;
+    return starts_within && ends_within;
 }
 
 /// The tip turns left and no other corner lies in the ear or on its border. A corner that only shares the place of an
@@ -92,7 +105,7 @@ bool is_ear(const Ring& ring, std::uint32_t tip) {
         const glm::dvec2 q = ring.at[p];
         if (q.x < low.x || q.x > high.x || q.y < low.y || q.y > high.y || q == a || q == c) continue;
         if (q == b) {
-            if (enters_ear_at_tip(ring, p, a, b, c)) return false;
+            if (notch_is_within_ear(ring, p, a, b, c)) return false;
             continue;
         }
         if (twice_area(a, b, q) >= 0.0 && twice_area(b, c, q) >= 0.0 && twice_area(c, a, q) >= 0.0) return false;

@@ -40,6 +40,29 @@ void check_triangulation(const Polygon& p, double area) {
     }
 }
 
+/// The polygon in a plane that is aligned with nothing; the axes are orthonormal.
+Polygon tilted(const Polygon& flat) {
+    const glm::dvec3 u = glm::normalize(glm::dvec3(1, 2, 3));
+    const glm::dvec3 v = glm::normalize(glm::cross(u, glm::dvec3(-2, 1, 1)));
+    Polygon result;
+    for (const glm::vec3& p : flat) result.emplace_back(u * double(p.x) + v * double(p.y) + glm::dvec3(5, -7, 11));
+    return result;
+}
+
+/// The same polygon from each of its corners on, in both directions, in two planes.
+void check_all_starts(const Polygon& polygon, double area) {
+    const std::size_t n = polygon.size();
+    for (std::size_t start = 0; start < n; ++start) {
+        CAPTURE(start);
+        Polygon forward, backward;
+        for (std::size_t i = 0; i < n; ++i) forward.push_back(polygon[(start + i) % n]);
+        backward.assign(forward.rbegin(), forward.rend());
+        check_triangulation(forward, area);
+        check_triangulation(backward, area);
+        check_triangulation(tilted(forward), area);
+    }
+}
+
 Polygon star(int points, double inner) {
     Polygon p;
     for (int i = 0; i < 2 * points; ++i) {
@@ -76,25 +99,11 @@ TEST_CASE("polygon: Newell normal of an L of three unit squares is twice its are
 
 TEST_CASE("polygon: a concave quad is cut along its inner diagonal wherever it starts") {
     // An arrow head: (0,0) (2,-1) (0,2) (-2,-1), concave at the first corner. Area by the shoelace formula: 4.
-    const Polygon arrow = {{0, 0, 0}, {2, -1, 0}, {0, 2, 0}, {-2, -1, 0}};
-    for (std::size_t start = 0; start < 4; ++start) {
-        CAPTURE(start);
-        Polygon p;
-        for (std::size_t i = 0; i < 4; ++i) p.push_back(arrow[(start + i) % 4]);
-        check_triangulation(p, 4.0);
-    }
+    check_all_starts({{0, 0, 0}, {2, -1, 0}, {0, 2, 0}, {-2, -1, 0}}, 4.0);
 }
 
 TEST_CASE("polygon: an L keeps its area whichever corner comes first and whichever way it winds") {
-    const Polygon l = {{0, 0, 0}, {2, 0, 0}, {2, 1, 0}, {1, 1, 0}, {1, 2, 0}, {0, 2, 0}};
-    for (std::size_t start = 0; start < l.size(); ++start) {
-        CAPTURE(start);
-        Polygon p, reversed;
-        for (std::size_t i = 0; i < l.size(); ++i) p.push_back(l[(start + i) % l.size()]);
-        for (std::size_t i = 0; i < l.size(); ++i) reversed.push_back(p[l.size() - 1 - i]);
-        check_triangulation(p, 3.0);
-        check_triangulation(reversed, 3.0);
-    }
+    check_all_starts({{0, 0, 0}, {2, 0, 0}, {2, 1, 0}, {1, 1, 0}, {1, 2, 0}, {0, 2, 0}}, 3.0);
 }
 
 TEST_CASE("polygon: collinear corners stay corners") {
@@ -103,23 +112,62 @@ TEST_CASE("polygon: collinear corners stay corners") {
                         1.0);
 }
 
-TEST_CASE("polygon: a hole reached by a cut stays open") {
+TEST_CASE("polygon: holes reached by cuts stay open whichever corner comes first") {
     // A 4 x 4 square with a 2 x 2 hole in the middle; the cut runs from (0,0) to (1,1) and back.
-    const Polygon frame = {{0, 0, 0}, {4, 0, 0}, {4, 4, 0}, {0, 4, 0}, {0, 0, 0},
-                           {1, 1, 0}, {1, 3, 0}, {3, 3, 0}, {3, 1, 0}, {1, 1, 0}};
-    check_triangulation(frame, 16.0 - 4.0);
+    check_all_starts(
+        {{0, 0, 0}, {4, 0, 0}, {4, 4, 0}, {0, 4, 0}, {0, 0, 0}, {1, 1, 0}, {1, 3, 0}, {3, 3, 0}, {3, 1, 0}, {1, 1, 0}},
+        16.0 - 4.0);
+    // Two holes of one unit, both reached from the corner (0,0), one of them straight along the diagonal through the
+    // other.
+    check_all_starts({{0, 0, 0},
+                      {5, 0, 0},
+                      {5, 5, 0},
+                      {0, 5, 0},
+                      {0, 0, 0},
+                      {1, 1, 0},
+                      {1, 2, 0},
+                      {2, 2, 0},
+                      {3, 3, 0},
+                      {3, 4, 0},
+                      {4, 4, 0},
+                      {4, 3, 0},
+                      {3, 3, 0},
+                      {2, 2, 0},
+                      {2, 1, 0},
+                      {1, 1, 0}},
+                     25.0 - 2.0);
+}
+
+TEST_CASE("polygon: outlines that touch themselves keep their area whichever corner comes first") {
+    // Two unit squares that share the corner (1,1), then a square with a notch whose tip touches its far side.
+    check_all_starts({{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {2, 1, 0}, {2, 2, 0}, {1, 2, 0}, {1, 1, 0}, {0, 1, 0}}, 2.0);
+    check_all_starts({{0, 0, 0}, {2, 0, 0}, {4, 0, 0}, {4, 4, 0}, {3, 4, 0}, {2, 0, 0}, {1, 4, 0}, {0, 4, 0}}, 12.0);
+}
+
+TEST_CASE("polygon: skylines on a coarse grid with many collinear corners keep their area") {
+    std::mt19937 random(3);
+    std::uniform_int_distribution<int> height(1, 3);
+    for (int round = 0; round < 60; ++round) {
+        CAPTURE(round);
+        Polygon p;
+        double area = 0.0;
+        const int columns = 6;
+        for (int x = 0; x <= columns; ++x) p.emplace_back(x, 0, 0);
+        for (int x = columns - 1; x >= 0; --x) {
+            const int h = height(random);
+            area += h;
+            p.emplace_back(x + 1, h, 0);  // equal heights side by side give a corner twice
+            p.emplace_back(x, h, 0);
+        }
+        check_all_starts(p, area);
+    }
 }
 
 TEST_CASE("polygon: stars and spirals keep their area in any plane of space") {
-    // Axes of a plane that is aligned with nothing; they are orthonormal.
-    const glm::dvec3 u = glm::normalize(glm::dvec3(1, 2, 3));
-    const glm::dvec3 v = glm::normalize(glm::cross(u, glm::dvec3(-2, 1, 1)));
     for (const Polygon& flat : {star(5, 0.38), star(64, 0.1), spiral(30), spiral(200)}) {
         CAPTURE(flat.size());
-        Polygon tilted;
-        for (const glm::vec3& p : flat) tilted.emplace_back(u * double(p.x) + v * double(p.y) + glm::dvec3(5, -7, 11));
         check_triangulation(flat, area_of(flat));
-        check_triangulation(tilted, area_of(flat));
+        check_triangulation(tilted(flat), area_of(flat));
     }
 }
 
