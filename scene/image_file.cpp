@@ -5,10 +5,12 @@
 #include <cctype>
 #include <cmath>
 #include <filesystem>
+#include <fstream>
 #include <memory>
 #include <random>
 #include <system_error>
 
+#include <OpenImageIO/filesystem.h>
 #include <OpenImageIO/imageio.h>
 
 #include "scene/error.hpp"
@@ -44,31 +46,35 @@ fs::path temporary_name(const fs::path& path) {
     return path.parent_path() / ("." + path.filename().string() + "." + tag + ".tmp" + path.extension().string());
 }
 
-/// The whole image in one call; an empty string or what went wrong.
-std::string write_with_oiio(const std::string& path, const std::string& format, const OIIO::ImageSpec& spec,
-                            OIIO::TypeDesc type, const void* interleaved) {
+/// The bytes of the file. They are made in memory because the library's PNG writer does not notice a full disk.
+std::vector<unsigned char> encode(const std::string& path, const std::string& format, const OIIO::ImageSpec& spec,
+                                  OIIO::TypeDesc type, const void* interleaved) {
     const std::unique_ptr<OIIO::ImageOutput> output = OIIO::ImageOutput::create(format);
-    if (!output) return OIIO::geterror();
-    if (!output->open(path, spec)) return output->geterror();
-    if (!output->write_image(type, interleaved)) return output->geterror();
-    if (!output->close()) return output->geterror();
-    return {};
+    if (!output) throw UserError(Place{path}, "cannot be written: " + OIIO::geterror());
+    OIIO::Filesystem::IOVecOutput memory;
+    const bool is_encoded = output->set_ioproxy(&memory) && output->open(path, spec) &&
+                            output->write_image(type, interleaved) && output->close();
+    if (!is_encoded) throw UserError(Place{path}, "cannot be written: " + output->geterror());
+    return memory.buffer();
+}
+
+bool write_bytes(const fs::path& path, const std::vector<unsigned char>& bytes) {
+    std::ofstream stream(path, std::ios::binary);
+    stream.write(reinterpret_cast<const char*>(bytes.data()), static_cast<std::streamsize>(bytes.size()));
+    stream.close();
+    return stream.good();
 }
 
 /// Write under another name, then rename: a reader never sees half a picture, and a failure leaves the old one alone.
-void write_whole(const std::string& path, const std::string& format, const OIIO::ImageSpec& spec, OIIO::TypeDesc type,
-                 const void* interleaved) {
+void write_whole(const std::string& path, const std::vector<unsigned char>& bytes) {
     const fs::path temporary = temporary_name(path);
-    std::string problem = write_with_oiio(temporary.string(), format, spec, type, interleaved);
     std::error_code failed;
-    if (problem.empty()) {
-        fs::rename(temporary, path, failed);
-        if (failed) problem = failed.message();
-    }
-    if (!problem.empty()) {
-        fs::remove(temporary, failed);
-        throw UserError(Place{path}, "cannot be written: " + problem);
-    }
+    const bool is_written = write_bytes(temporary, bytes);
+    if (is_written) fs::rename(temporary, path, failed);
+    if (is_written && !failed) return;
+    const std::string why = failed ? failed.message() : "is the disk full, or the folder protected?";
+    fs::remove(temporary, failed);
+    throw UserError(Place{path}, "cannot be written: " + why);
 }
 
 template <typename Value, typename Convert>
@@ -138,9 +144,12 @@ raster::Image display_window(const OIIO::ImageSpec& spec, const std::vector<floa
     return image;
 }
 
-std::unique_ptr<OIIO::ImageInput> open_input(const std::string& path) {
+void check_is_file(const std::string& path) {
     if (!fs::exists(path)) throw UserError(Place{path}, "no such image file");
     if (!fs::is_regular_file(path)) throw UserError(Place{path}, "is not a file; an image file is needed");
+}
+
+std::unique_ptr<OIIO::ImageInput> open_input(const std::string& path) {
     OIIO::ImageSpec wish;
     wish.attribute("oiio:UnassociatedAlpha", 1);  // otherwise PNG's colours come multiplied by alpha
     std::unique_ptr<OIIO::ImageInput> input = OIIO::ImageInput::open(path, &wish);
@@ -148,9 +157,7 @@ std::unique_ptr<OIIO::ImageInput> open_input(const std::string& path) {
     return input;
 }
 
-}  // namespace
-
-raster::Image read_image(const std::string& path, const ImageReadOptions& options) {
+raster::Image read_with_oiio(const std::string& path, const ImageReadOptions& options) {
     const std::unique_ptr<OIIO::ImageInput> input = open_input(path);
     const OIIO::ImageSpec spec = input->spec();
     check_size(path, spec, options);
@@ -161,6 +168,19 @@ raster::Image read_image(const std::string& path, const ImageReadOptions& option
     return display_window(spec, data);
 }
 
+}  // namespace
+
+raster::Image read_image(const std::string& path, const ImageReadOptions& options) {
+    check_is_file(path);
+    try {
+        return read_with_oiio(path, options);
+    } catch (const UserError&) {
+        throw;
+    } catch (const std::exception& damage) {  // the library's own, on headers that make no sense
+        throw UserError(Place{path}, std::string("is damaged: ") + damage.what());
+    }
+}
+
 void write_png(const std::string& path, const raster::Image& encoded) {
     check_output_path(path, ".png");
     check_not_empty(path, encoded);
@@ -168,7 +188,7 @@ void write_png(const std::string& path, const raster::Image& encoded) {
     OIIO::ImageSpec spec(encoded.width, encoded.height, encoded.channels, OIIO::TypeUInt8);
     spec.attribute("oiio:ColorSpace", "sRGB");
     const auto bytes = interleave<std::uint8_t>(encoded, byte_from_encoded);
-    write_whole(path, "png", spec, OIIO::TypeUInt8, bytes.data());
+    write_whole(path, encode(path, "png", spec, OIIO::TypeUInt8, bytes.data()));
 }
 
 void write_exr(const std::string& path, const raster::Image& linear, const std::vector<std::string>& channel_names) {
@@ -181,7 +201,7 @@ void write_exr(const std::string& path, const raster::Image& linear, const std::
     spec.attribute("DateTime", "1970:01:01 00:00:00");  // otherwise the time of writing, and no two files are equal
     spec.attribute("oiio:ColorSpace", "Linear");
     const auto values = interleave<float>(linear, [](float value) { return value; });
-    write_whole(path, "openexr", spec, OIIO::TypeFloat, values.data());
+    write_whole(path, encode(path, "openexr", spec, OIIO::TypeFloat, values.data()));
 }
 
 }  // namespace kreda::scene

@@ -2,8 +2,12 @@
 
 #include <algorithm>
 #include <cmath>
+#include <csignal>
 #include <filesystem>
 #include <limits>
+#include <random>
+
+#include <sys/resource.h>
 
 #include <doctest/doctest.h>
 
@@ -32,6 +36,31 @@ Image all_bytes() {
     }
     return image;
 }
+
+/// An image that no compression makes small.
+Image noise(int side) {
+    std::mt19937 random(1);
+    Image image = make_image(side, side, 3);
+    for (float& value : image.values) value = std::uniform_real_distribution<float>(0.0f, 1.0f)(random);
+    return image;
+}
+
+/// While it lives, this process cannot write a file of more bytes than this.
+struct FileSizeLimit {
+    rlimit old{};
+    explicit FileSizeLimit(rlim_t bytes) {
+        std::signal(SIGXFSZ, SIG_IGN);  // the write fails instead
+        getrlimit(RLIMIT_FSIZE, &old);
+        const rlimit limit{bytes, old.rlim_max};
+        setrlimit(RLIMIT_FSIZE, &limit);
+    }
+    ~FileSizeLimit() {
+        setrlimit(RLIMIT_FSIZE, &old);
+        std::signal(SIGXFSZ, SIG_DFL);
+    }
+    FileSizeLimit(const FileSizeLimit&) = delete;
+    FileSizeLimit& operator=(const FileSizeLimit&) = delete;
+};
 
 std::size_t files_in(const TempFolder& folder) {
     const std::filesystem::directory_iterator first(folder.path), end;
@@ -170,6 +199,14 @@ TEST_CASE("image file: a failure leaves nothing behind") {
     CHECK_THROWS_AS(write_exr(folder.file("b.exr"), Image{}), UserError);
     CHECK_THROWS_AS(write_png(folder.file(std::string(250, 'x') + ".png"), all_bytes()), UserError);  // name too long
     CHECK(files_in(folder) == 1);
+}
+
+TEST_CASE("image file: a disk that is full leaves nothing behind") {
+    const TempFolder folder;
+    const FileSizeLimit limit(512);  // the same failure as a full disk, without one
+    CHECK_THROWS_AS(write_png(folder.file("a.png"), noise(64)), UserError);
+    CHECK_THROWS_AS(write_exr(folder.file("a.exr"), noise(64)), UserError);
+    CHECK(files_in(folder) == 0);
 }
 
 TEST_CASE("image file: a missing folder and a wrong extension say what to do") {
