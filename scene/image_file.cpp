@@ -42,8 +42,9 @@ void check_output_path(const std::string& path, const std::string& extension) {
 /// A name in the folder of `path` that nobody else uses: the rename that ends the writing must not cross file systems.
 fs::path temporary_name(const fs::path& path) {
     std::random_device random;
-    const std::string tag = std::to_string(random()) + std::to_string(random());
-    return path.parent_path() / ("." + path.filename().string() + "." + tag + ".tmp" + path.extension().string());
+    std::string name = ".";
+    name.append(path.filename().string()).append(".").append(std::to_string(random())).append(".tmp");
+    return path.parent_path() / name;
 }
 
 /// The bytes of the file. They are made in memory because the library's PNG writer does not notice a full disk.

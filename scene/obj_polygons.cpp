@@ -94,7 +94,7 @@ void on_object(void* user_data, const char* name) { reader_of(user_data).run.nam
 void on_group(void* user_data, const char** names, int count) {
     std::string& name = reader_of(user_data).run.name;
     name.clear();
-    for (int i = 0; i < count; ++i) name += (i > 0 ? " " : "") + std::string(names[i]);
+    for (int i = 0; i < count; ++i) name.append(i > 0 ? " " : "").append(names[i]);
 }
 
 }  // namespace

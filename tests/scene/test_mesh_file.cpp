@@ -117,11 +117,12 @@ TEST_CASE("mesh file: a polygon of 300 corners has 298 triangles") {
     constexpr int kSteps = 149;
     std::string text = "v 0 0 0\nv " + std::to_string(kSteps) + " 0 0\n";
     for (int i = kSteps - 1; i >= 0; --i) {
-        const std::string y = " " + std::to_string(kSteps - i) + " 0\n";
-        text += "v " + std::to_string(i + 1) + y + "v " + std::to_string(i) + y;
+        const std::string y = std::to_string(kSteps - i) + " 0\n";
+        text.append("v ").append(std::to_string(i + 1)).append(" ").append(y);
+        text.append("v ").append(std::to_string(i)).append(" ").append(y);
     }
     std::string face = "f";
-    for (int corner = 1; corner <= 300; ++corner) face += " " + std::to_string((corner + 1) % 300 + 1);
+    for (int corner = 1; corner <= 300; ++corner) face.append(" ").append(std::to_string((corner + 1) % 300 + 1));
     const LoadedMesh loaded = load_text(text + face + "\n");
     CHECK(loaded.mesh.triangle_count() == 298);
     CHECK(area(loaded.mesh) == kSteps * (kSteps + 1) / 2);
