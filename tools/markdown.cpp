@@ -147,9 +147,9 @@ private:
 
     void heading() {
         const std::string text = line();
-        const std::size_t level = std::min<std::size_t>(text.find_first_not_of('#'), 6);
-        const std::string tag = "h" + std::to_string(std::max<std::size_t>(level, 1));
-        html_ += "<" + tag + ">" + inline_html(trimmed(text.substr(std::min(level, text.size()))), link_) + "</" + tag + ">\n";
+        const std::size_t marks = std::min(text.find_first_not_of('#'), text.size());
+        const std::string tag = "h" + std::to_string(std::min<std::size_t>(marks, 6));
+        html_ += "<" + tag + ">" + inline_html(trimmed(text.substr(marks)), link_) + "</" + tag + ">\n";
         ++at_;
     }
 

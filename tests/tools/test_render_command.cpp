@@ -1,0 +1,192 @@
+// What `kreda render` and `kreda plan` do with good input.
+#include <algorithm>
+#include <cmath>
+#include <string>
+
+#include <doctest/doctest.h>
+#include <nlohmann/json.hpp>
+
+#include "scene/image_file.hpp"
+#include "tests/scene/temp_folder.hpp"
+#include "tests/tools/run_kreda.hpp"
+
+using namespace kreda;
+using namespace kreda::tests;
+
+namespace {
+
+/// A unit square that fills the view of an orthographic camera: every pixel is shaded, and the colour is known.
+void write_full_view(const TempFolder& folder, const std::string& more = "") {
+    folder.write("square.obj", "v -2 -2 0\nv 2 -2 0\nv 2 2 0\nv -2 2 0\nvn 0 0 1\nf 1//1 2//1 3//1 4//1\n");
+    folder.write("square.toml",
+                 "[image]\nsize = [24, 16]\n"
+                 "[camera]\nposition = [0, 0, 4]\nprojection = \"orthographic\"\nheight = 2\n" + more +
+                     "[[material]]\nname = \"m\"\nmodel = \"unlit\"\nemission = [0.25, 0.5, 0.75]\ndiffuse = [0.25, 0.5, 0.75]\n"
+                     "[[object]]\nmesh = \"square.obj\"\nmaterial = \"m\"\n");
+}
+
+/// A lit shape with some curvature: many different values in the picture.
+void write_sphere(const TempFolder& folder, const std::string& more = "") {
+    folder.write("sphere.toml",
+                 "[image]\nsize = [48, 32]\n[camera]\nposition = [0, 0, 3]\n[[light]]\nintensity = 0.9\n" + more +
+                     "[[object]]\nmesh = \"sphere\"\ndetail = 16\n");
+}
+
+/// IEC 61966-2-1 with the standard library's pow in double: an independent copy of the formula.
+double srgb_encoded(double x) {
+    x = std::clamp(x, 0.0, 1.0);
+    return x <= 0.0031308 ? 12.92 * x : 1.055 * std::pow(x, 1.0 / 2.4) - 0.055;
+}
+
+std::string render(const TempFolder& folder, std::vector<std::string> args) {
+    args.insert(args.begin(), "render");
+    const Outcome outcome = run_kreda(args, folder.path.string());
+    CAPTURE(outcome.err);
+    REQUIRE(outcome.exit_code == 0);
+    return outcome.out;
+}
+
+}  // namespace
+
+TEST_CASE("render without a scene: the built-in one in the size that is asked for") {
+    const TempFolder folder;
+    CHECK(render(folder, {"--size", "40x30", "--samples", "1"}).empty());
+    const raster::Image picture = scene::read_image(folder.file("built_in.png"));
+    CHECK(picture.width == 40);
+    CHECK(picture.height == 30);
+    CHECK(picture.channels == 3);
+    CHECK(*std::max_element(picture.values.begin(), picture.values.end()) >
+          *std::min_element(picture.values.begin(), picture.values.end()));
+}
+
+TEST_CASE("render names the picture after the scene and puts it into the current folder") {
+    const TempFolder folder;
+    folder.write("deep/scene.toml", "[image]\nsize = [8, 4]\n");
+    render(folder, {"deep/scene.toml"});
+    CHECK(names_in(folder.path.string()) == std::vector<std::string>{"deep", "scene.png"});
+}
+
+TEST_CASE("the PNG is the EXR: clamped and encoded as sRGB and rounded to 8 bits") {
+    const TempFolder folder;
+    write_sphere(folder);
+    render(folder, {"sphere.toml", "-o", "s.png"});
+    render(folder, {"sphere.toml", "-o", "s.exr"});
+    const raster::Image png = scene::read_image(folder.file("s.png"));
+    const raster::Image exr = scene::read_image(folder.file("s.exr"));
+    REQUIRE(png.values.size() == exr.values.size());
+    double worst = 0.0;
+    for (std::size_t i = 0; i < png.values.size(); ++i) {
+        worst = std::max(worst, std::abs(255.0 * png.values[i] - 255.0 * srgb_encoded(exr.values[i])));
+    }
+    CHECK(worst <= 0.501);  // half a step of 8 bits, and 1e-3 for single precision
+    CHECK(raster::count_non_finite(exr) == 0);
+}
+
+TEST_CASE("an EXR holds radiance: neither exposure nor tone map nor transfer touch it") {
+    const TempFolder folder;
+    write_sphere(folder);
+    render(folder, {"sphere.toml", "-o", "a.exr"});
+    render(folder, {"sphere.toml", "-o", "b.exr", "--set", "image.exposure=3", "--set", "image.tone_map=\"reinhard\"",
+                    "--set", "image.transfer=\"linear\""});
+    CHECK(bytes_of(folder.file("a.exr")) == bytes_of(folder.file("b.exr")));
+}
+
+TEST_CASE("time prints one line of JSON whose counts are those of a view filled by two triangles") {
+    const TempFolder folder;
+    write_full_view(folder);
+    const std::string out = render(folder, {"square.toml", "--time", "--threads", "2"});
+    CHECK(line_count(out) == 1);
+    const nlohmann::json json = nlohmann::json::parse(out);
+    CHECK(json.at("triangles") == 2);
+    CHECK(json.at("pixels_shaded") == 24 * 16);
+    CHECK(json.at("width") == 24);
+    CHECK(json.at("height") == 16);
+    CHECK(json.at("threads") == 2);
+    CHECK(json.at("frames") == 1);
+    CHECK(json.at("culled") == 0);
+    CHECK(json.at("degenerate") == 0);
+    CHECK(json.at("non_finite") == 0);
+    double sum = 0.0;
+    for (const auto& stage : json.at("stages")) {
+        CHECK(stage.get<double>() >= 0.0);
+        sum += stage.get<double>();
+    }
+    CHECK(json.at("stages").contains("vertices"));
+    CHECK(json.at("stages").contains("visibility"));
+    // The stages are parts of the whole; each is rounded to a microsecond, a dozen of them at most.
+    CHECK(sum <= json.at("total_ms").get<double>() + 0.012);
+}
+
+TEST_CASE("four samples a pixel are four times the shading and the same flat colour") {
+    const TempFolder folder;
+    write_full_view(folder);
+    const auto json = nlohmann::json::parse(render(folder, {"square.toml", "--time", "--samples", "2", "-o", "four.exr"}));
+    CHECK(json.at("pixels_shaded") == 4 * 24 * 16);
+    render(folder, {"square.toml", "-o", "one.exr"});
+    CHECK(scene::read_image(folder.file("four.exr")).values == scene::read_image(folder.file("one.exr")).values);
+}
+
+TEST_CASE("repeat draws the same picture again and again") {
+    const TempFolder folder;
+    write_sphere(folder);
+    const auto json = nlohmann::json::parse(render(folder, {"sphere.toml", "--time", "--repeat", "4", "-o", "a.exr"}));
+    CHECK(json.at("frames") == 4);
+    render(folder, {"sphere.toml", "-o", "b.exr"});
+    CHECK(bytes_of(folder.file("a.exr")) == bytes_of(folder.file("b.exr")));
+}
+
+TEST_CASE("the number of threads does not change a bit") {
+    const TempFolder folder;
+    write_sphere(folder);
+    render(folder, {"sphere.toml", "--threads", "1", "--samples", "4", "-o", "a.exr"});
+    render(folder, {"sphere.toml", "--threads", "7", "--samples", "4", "-o", "b.exr"});
+    CHECK(bytes_of(folder.file("a.exr")) == bytes_of(folder.file("b.exr")));
+}
+
+TEST_CASE("the command line wins over the file") {
+    const TempFolder folder;
+    folder.write("scene.toml", "[image]\nsize = [8, 4]\nbackground = [1, 0, 0]\n");
+    render(folder, {"scene.toml", "--set", "image.background=[0, 0.5, 1]", "--size", "5x3", "-o", "p.exr"});
+    const raster::Image picture = scene::read_image(folder.file("p.exr"));
+    CHECK(picture.width == 5);
+    CHECK(picture.height == 3);
+    CHECK(picture.rgb(4, 2) == glm::vec3(0.0f, 0.5f, 1.0f));
+}
+
+TEST_CASE("what is wrong but not fatal is a line of warning each") {
+    const TempFolder folder;
+    folder.write("a.obj", "mtllib none.mtl\nv 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n");
+    folder.write("scene.toml", "[image]\nsize = [8, 4]\n[[object]]\nmesh = \"a.obj\"\n");
+    const Outcome outcome = run_kreda({"render", "scene.toml"}, folder.path.string());
+    CAPTURE(outcome.err);
+    CHECK(outcome.exit_code == 0);
+    CHECK(outcome.err.rfind("warning: ", 0) == 0);
+    CHECK(outcome.err.find("none.mtl") != std::string::npos);
+}
+
+TEST_CASE("plan prints what a scene requires and nothing else") {
+    const TempFolder folder;
+    write_sphere(folder, "[fog]\nmode = \"exp\"\n");
+    const std::string foggy = run_kreda({"plan", "sphere.toml"}, folder.path.string()).out;
+    CAPTURE(foggy);
+    const std::size_t vertices = foggy.find(". vertices: "), visibility = foggy.find(". visibility: ");
+    const std::size_t light = foggy.find(". light pixels: "), fog = foggy.find("fog at pixels: "), film = foggy.find(". film: ");
+    CHECK(vertices < visibility);
+    CHECK(visibility < light);
+    CHECK(light < fog);
+    CHECK(fog < film);
+    CHECK(film != std::string::npos);
+    CHECK(foggy.find("film: one sample a pixel\n     linear RGB: " + std::to_string(48 * 32 * 12) + " bytes") != std::string::npos);
+    const std::string clear = run_kreda({"plan", "sphere.toml", "--set", "fog.mode=\"none\""}, folder.path.string()).out;
+    CHECK(clear.find("fog") == std::string::npos);
+    CHECK(names_in(folder.path.string()) == std::vector<std::string>{"sphere.toml"});
+}
+
+TEST_CASE("plan says why not") {
+    const TempFolder folder;
+    write_sphere(folder);
+    const std::string text = run_kreda({"plan", "sphere.toml", "--why-not"}, folder.path.string()).out;
+    CAPTURE(text);
+    CHECK(text.find("fog: left out, fog.mode = \"none\"") != std::string::npos);
+    CHECK(text.find("light vertices: left out") != std::string::npos);
+}
