@@ -257,6 +257,15 @@ TEST_CASE("Tiles: sides are the largest multiple of the samples up to 64 and cov
     }
 }
 
+TEST_CASE("Tile of a sample: the multiplication gives what a division would for every sample and tile side") {
+    for (int samples = 1; samples <= kTileSide; ++samples) {
+        const TileGrid grid = make_tile_grid({kMaxImageSide, kMaxImageSide}, samples);
+        int wrong = 0;
+        for (int sample = 0; sample < kMaxImageSide; ++sample) wrong += grid.tile_of(sample) != sample / grid.tile_side;
+        CHECK(wrong == 0);
+    }
+}
+
 TEST_CASE("Tiled rasterizer gives the reference's visibility buffer to the last bit: 10800 random scenes") {
     check_scenes(0, 10800);
 }

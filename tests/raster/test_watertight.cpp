@@ -407,6 +407,8 @@ TEST_CASE("Ground that runs under the camera and far beyond the guard band: one 
 }
 
 TEST_CASE("Clipped triangle covers no sample twice: its pieces are a fan without overlap") {
+    // The snap may turn a sliver's polygon into a bow tie, whose pieces overlap with opposite sides to the camera (front minus
+    // back is right even then): measured 23 samples in 3 million triangles of 2^-16 to 2^-4 their length. None in these.
     const OneThread one_thread;
     Random random(16);
     std::uint64_t clipped = 0, covered = 0, twice = 0;
