@@ -14,6 +14,8 @@ std::string trimmed(const std::string& text) {
     return text.substr(first, text.find_last_not_of(" \t\r") - first + 1);
 }
 
+const std::string kIndent = "    ";  ///< four spaces before a line: code
+
 bool starts_with(const std::string& text, const std::string& start) { return text.rfind(start, 0) == 0; }
 
 /// The text between `open` at `at` and the next `close`; `end` is the first character after it, or npos.
@@ -58,6 +60,11 @@ std::string span_html(const std::string& text, std::size_t at, const LinkMap& li
         const std::string italic = enclosed(text, at, "*", "*", end);
         return end == std::string::npos ? std::string() : "<em>" + inline_html(italic, link) + "</em>";
     }
+    if (c == '<' && text.compare(at, 4, "<!--") == 0) {
+        const std::size_t stop = text.find("-->", at + 4);
+        if (stop != std::string::npos) end = stop + 3;
+        return {};
+    }
     if (c == '[' || (c == '!' && at + 1 < text.size() && text[at + 1] == '[')) return link_html(text, at, link, end);
     return {};
 }
@@ -68,6 +75,8 @@ std::string inline_html(const std::string& text, const LinkMap& link) {
     while (at < text.size()) {
         std::size_t end = std::string::npos;
         const std::string span = span_html(text, at, link, end);
+        const bool is_comment = end != std::string::npos && span.empty();
+        if (is_comment && !html.empty() && html.back() == ' ') html.pop_back();
         html += end == std::string::npos ? escape_html(text.substr(at, 1)) : span;
         at = end == std::string::npos ? at + 1 : end;
     }
@@ -125,17 +134,24 @@ private:
     [[nodiscard]] bool starts_block() const {
         const std::string text = line();
         return text.empty() || starts_with(text, "#") || starts_with(text, "```") || starts_with(text, "|") ||
-               starts_with(text, "<!--") || list_mark(text) > 0;
+               list_mark(text) > 0;
     }
 
     void block() {
         const std::string text = line();
-        if (text.empty() || starts_with(text, "<!--")) ++at_;
+        if (text.empty()) ++at_;
+        else if (starts_with(lines_[at_], kIndent)) indented_code();
         else if (starts_with(text, "```")) code();
         else if (starts_with(text, "#")) heading();
         else if (starts_with(text, "|")) table();
         else if (list_mark(text) > 0) list();
-        else html_ += "<p>" + inline_html(joined(0), link_) + "</p>\n";
+        else paragraph();
+    }
+
+    /// A comment alone leaves nothing behind.
+    void paragraph() {
+        const std::string inside = trimmed(inline_html(joined(0), link_));
+        if (!inside.empty()) html_ += "<p>" + inside + "</p>\n";
     }
 
     /// This line without its first `skip` characters, and the lines that continue it.
@@ -158,6 +174,14 @@ private:
         for (++at_; at_ < lines_.size() && !starts_with(line(), "```"); ++at_) html_ += escape_html(lines_[at_]) + "\n";
         html_ += "</code></pre>\n";
         ++at_;
+    }
+
+    void indented_code() {
+        html_ += "<pre><code>";
+        for (; at_ < lines_.size() && starts_with(lines_[at_], kIndent); ++at_) {
+            html_ += escape_html(lines_[at_].substr(kIndent.size())) + "\n";
+        }
+        html_ += "</code></pre>\n";
     }
 
     void list() {

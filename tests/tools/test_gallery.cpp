@@ -97,6 +97,7 @@ TEST_CASE("markdown: blocks") {
     CHECK(html("1. a\n2. b") == "<ol>\n<li>a</li>\n<li>b</li>\n</ol>\n");
     CHECK(html("```cpp\nif (a < b) *p = 1;\n\n# no heading\n```") ==
           "<pre><code>if (a &lt; b) *p = 1;\n\n# no heading\n</code></pre>\n");
+    CHECK(html("so\n\n    a  <\n      b\n\nend") == "<p>so</p>\n<pre><code>a  &lt;\n  b\n</code></pre>\n<p>end</p>\n");
     CHECK(html("| a | b |\n| --- | --- |\n| `x | y` | 2 |") ==
           "<div class=\"wide\"><table>\n<tr><th>a</th><th>b</th></tr>\n<tr><td><code>x | y</code></td><td>2</td></tr>\n</table></div>\n");
 }
@@ -111,6 +112,13 @@ TEST_CASE("markdown: spans") {
 TEST_CASE("markdown: HTML is shown and not obeyed") {
     CHECK(html("<script>&\"") == "<p>&lt;script&gt;&amp;&quot;</p>\n");
     CHECK(html("[x](\"onclick=\"a)") == "<p><a href=\"to/&quot;onclick=&quot;a\">x</a></p>\n");
+}
+
+TEST_CASE("markdown: comments are left out") {
+    CHECK(html("0.75 <!-- number: F = 0.75 -->, no more") == "<p>0.75, no more</p>\n");
+    CHECK(html("0.75 <!-- number: F = 0.75 --> of it") == "<p>0.75 of it</p>\n");
+    CHECK(html("a\n\n<!-- alone -->\n\nb") == "<p>a</p>\n<p>b</p>\n");
+    CHECK(html("a <!-- open") == "<p>a &lt;!-- open</p>\n");
 }
 
 TEST_CASE("markdown: open marks at the end are text") {
