@@ -133,6 +133,7 @@ visible samples: with --samples 2 up to four a pixel.
 
 Examples:
   kreda render scene.toml -o picture.png
+  kreda render bunny.obj                                         any mesh, the camera in front of it
   kreda render scene.toml -o picture.exr --size 1920x1080        linear float, before tone mapping
   kreda render scene.toml --set camera.position=[0,1,4] --samples 4
   kreda render --repeat 15 --time --threads 2                    how long a frame takes)";

@@ -1,0 +1,81 @@
+#include "tools/mesh_scene.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <filesystem>
+#include <sstream>
+
+#include <glm/common.hpp>
+#include <glm/geometric.hpp>
+#include <nlohmann/json.hpp>
+
+namespace kreda::tools {
+
+namespace {
+
+constexpr double kVerticalFovDeg = 30.0;
+
+/// The ball around the mesh's bounding box, world space.
+struct Ball {
+    glm::dvec3 centre{0.0};
+    double radius = 1.0;
+};
+
+Ball ball_around(const raster::Mesh& mesh) {
+    glm::dvec3 least(mesh.positions.front());
+    glm::dvec3 greatest = least;
+    for (const glm::vec3& position : mesh.positions) {
+        least = glm::min(least, glm::dvec3(position));
+        greatest = glm::max(greatest, glm::dvec3(position));
+    }
+    return {0.5 * (least + greatest), std::max(0.5 * glm::length(greatest - least), 1e-6)};
+}
+
+std::string vector_text(const glm::dvec3& v) {
+    std::ostringstream text;
+    text.precision(9);
+    text << std::showpoint << "[" << v.x << ", " << v.y << ", " << v.z << "]";
+    return text.str();
+}
+
+std::string number_text(double number) {
+    std::ostringstream text;
+    text.precision(9);
+    text << std::showpoint << number;
+    return text.str();
+}
+
+/// A string as TOML wants it; JSON's rules are the same.
+std::string string_text(const std::string& text) {
+    return nlohmann::json(text).dump();
+}
+
+}  // namespace
+
+bool is_mesh_file(const std::string& path) {
+    std::string extension = std::filesystem::path(path).extension().string();
+    std::transform(extension.begin(), extension.end(), extension.begin(),
+                   [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+    return extension == ".obj";
+}
+
+std::string scene_around_mesh(const std::string& path, const scene::MeshFileOptions& options) {
+    const Ball ball = ball_around(load_mesh_file(path, options).mesh);
+    const double half_fov = glm::radians(0.5 * kVerticalFovDeg);
+    const double distance = 1.05 * ball.radius / std::sin(half_fov);
+    const glm::dvec3 to_camera = glm::normalize(glm::dvec3(0.45, 0.35, 1.0));
+    std::string text;
+    text += "[image]\nsamples = 3\nbackground = [0.55, 0.68, 0.85]\n";
+    text += "[camera]\nposition = " + vector_text(ball.centre + distance * to_camera) + "\n";
+    text += "target = " + vector_text(ball.centre) + "\nvertical_fov = " + number_text(kVerticalFovDeg) + "\n";
+    text += "near = " + number_text(0.05 * (distance - ball.radius)) + "\n";
+    text += "far = " + number_text(distance + 2.0 * ball.radius) + "\n";
+    text += "[shading]\ncull = \"none\"\n";
+    text += "[ambient]\ncolor = [0.3, 0.3, 0.35]\n";
+    text += "[[light]]\ndirection = [0.6, -1.0, -0.8]\ncolor = [1, 0.97, 0.9]\n";
+    text += "[[light]]\ndirection = [-1.0, -0.2, -0.4]\ncolor = [0.5, 0.65, 1]\nintensity = 0.3\n";
+    text += "[[object]]\nmesh = " + string_text(std::filesystem::absolute(path).string()) + "\n";
+    return text;
+}
+
+}  // namespace kreda::tools
