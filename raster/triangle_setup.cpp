@@ -40,41 +40,32 @@ SampleRange samples_between(std::int32_t min, std::int32_t max, int side) {
     return {std::max(first, 0), std::min(last, side - 1)};
 }
 
-/// What is to become of a triangle: at most one of the three reasons against drawing it.
-struct Verdict {
-    bool degenerate = false;
-    bool culled = false;
-    bool outside = false;
-    TriangleChunk::TileRange tiles{};  ///< that its samples may lie in, if it is drawn
-};
+/// What becomes of a triangle.
+enum class Fate { drawn, degenerate, culled, outside };
 
-/// Orient a triangle clockwise (y down) and judge it. The sign of the snapped area decides where it faces.
-/// No branch depends on the triangle: in a fine mesh half of them face away and half of the rest cover no sample, and a
-/// processor that guesses wrong loses more time than the arithmetic takes.
-Verdict judge(const VertexStreams& streams, const Frame& frame, const TileGrid& grid, ScreenTriangle& triangle) {
+/// Orient a triangle clockwise (y down) and decide what becomes of it; if it is drawn, say which tiles its samples may lie in.
+/// The sign of the snapped area decides where it faces.
+Fate judge(const VertexStreams& streams, const Frame& frame, const TileGrid& grid, ScreenTriangle& triangle,
+           TriangleChunk::TileRange& tiles) {
     const ScreenVertex* const a = &streams.screen[triangle.vertex[0]];
     const ScreenVertex* b = &streams.screen[triangle.vertex[1]];
     const ScreenVertex* c = &streams.screen[triangle.vertex[2]];
     const std::int64_t area = edge_function(a->x, a->y, b->x, b->y, c->x, c->y);
+    if (area == 0) return Fate::degenerate;
     const bool front = area < 0;  // counter-clockwise with y up is negative with y down
-    const std::array<std::uint32_t, 3> v = triangle.vertex;
-    triangle.vertex = {v[0], front ? v[2] : v[1], front ? v[1] : v[2]};
-    const ScreenVertex* const second = front ? c : b;
-    c = front ? b : c;
-    b = second;
-
+    if (front ? frame.cull == CullMode::front : frame.cull == CullMode::back) return Fate::culled;
+    if (front) {
+        std::swap(triangle.vertex[1], triangle.vertex[2]);
+        std::swap(b, c);
+    }
     const SampleRange x = samples_between(std::min({a->x, b->x, c->x}), std::max({a->x, b->x, c->x}), frame.viewport.width);
     const SampleRange y = samples_between(std::min({a->y, b->y, c->y}), std::max({a->y, b->y, c->y}), frame.viewport.height);
     const bool no_centre = (x.first > x.last) | (y.first > y.last);
+    if (no_centre) return Fate::outside;
     const bool one_centre = (x.first == x.last) & (y.first == y.last);
-    const bool misses_it = !covers_sample(*a, *b, *c, x.first, y.first);
-
-    Verdict verdict;
-    verdict.degenerate = area == 0;
-    verdict.culled = !verdict.degenerate & (front ? frame.cull == CullMode::front : frame.cull == CullMode::back);
-    verdict.outside = !verdict.degenerate & !verdict.culled & (no_centre | (one_centre & misses_it));
-    verdict.tiles = {grid.tile_of(x.first), grid.tile_of(y.first), grid.tile_of(x.last), grid.tile_of(y.last)};
-    return verdict;
+    if (one_centre && !covers_sample(*a, *b, *c, x.first, y.first)) return Fate::outside;
+    tiles = {grid.tile_of(x.first), grid.tile_of(y.first), grid.tile_of(x.last), grid.tile_of(y.last)};
+    return Fate::drawn;
 }
 
 /// Triangles that will be drawn, with the tiles that they touch; there is room for more behind the last.
@@ -90,18 +81,21 @@ struct DrawList {
     }
 };
 
-/// Put the triangle at the end of the list, and let it stay there only if it is to be drawn.
-void draw_or_count(const VertexStreams& streams, const Frame& frame, const TileGrid& grid, ScreenTriangle triangle,
-                   DrawList& list, TriangleCounts& counts) {
-    const Verdict verdict = judge(streams, frame, grid, triangle);
-    const bool drawn = !(verdict.degenerate | verdict.culled | verdict.outside);
-    list.triangles[list.count] = triangle;
-    list.tiles[list.count] = verdict.tiles;
-    list.count += drawn;
-    counts.drawn += drawn;
-    counts.degenerate += verdict.degenerate;
-    counts.culled += verdict.culled;
-    counts.outside += verdict.outside;
+/// The place behind the last triangle. What is written there stays only if draw_or_count() finds that it is to be drawn.
+/// (Written in place, field by field: a copy would wait for its parts to reach memory.)
+ScreenTriangle& candidate(DrawList& list) {
+    return list.triangles[list.count];
+}
+
+/// Keep the candidate, or count why not.
+void draw_or_count(const VertexStreams& streams, const Frame& frame, const TileGrid& grid, DrawList& list,
+                   TriangleCounts& counts) {
+    switch (judge(streams, frame, grid, candidate(list), list.tiles[list.count])) {
+        case Fate::drawn: ++counts.drawn; ++list.count; return;
+        case Fate::degenerate: ++counts.degenerate; return;
+        case Fate::culled: ++counts.culled; return;
+        case Fate::outside: ++counts.outside; return;
+    }
 }
 
 void assign(const DrawList& list, TriangleChunk& chunk) {
@@ -130,10 +124,10 @@ void setup_chunk(const ChunkTask& task, const MeshInstance& instance, const Fram
     chunk.instance = task.instance;
     chunk.first_source = task.first_source;
     list.count = 0;
-    list.make_room(kTrianglesPerChunk);
+    list.make_room(kTrianglesPerChunk + 1);
     const std::uint32_t* index = &instance.mesh->indices[3 * std::size_t{task.first_triangle}];
     for (std::uint32_t i = 0; i < task.triangle_count; ++i, index += 3) {
-        ScreenTriangle triangle;
+        ScreenTriangle& triangle = candidate(list);
         triangle.source = task.first_source + task.first_triangle + i;
         triangle.material = instance.part_material[task.part];
         bool needs_clip = false;
@@ -142,7 +136,7 @@ void setup_chunk(const ChunkTask& task, const MeshInstance& instance, const Fram
             needs_clip |= streams.screen[triangle.vertex[corner]].x == kNeedsClip;
         }
         if (!needs_clip) {
-            draw_or_count(streams, frame, grid, triangle, list, chunk.counts);
+            draw_or_count(streams, frame, grid, list, chunk.counts);
             continue;
         }
         bool finite = true;
@@ -164,8 +158,8 @@ void append_weighted(std::vector<Attribute>& stream, const std::array<std::uint3
     stream.push_back(value);
 }
 
-/// A new vertex of the clipper: its place on the screen and its attributes. Returns its number.
-std::uint32_t append_vertex(const ClipVertex& vertex, const std::array<std::uint32_t, 3>& corner,
+/// A new vertex of the clipper: its place on the screen and its attributes.
+void append_vertex(const ClipVertex& vertex, const std::array<std::uint32_t, 3>& corner,
                             const Viewport& viewport, VertexStreams& streams) {
     streams.screen.push_back(to_screen(vertex.position, viewport));
     append_weighted(streams.position_world, corner, vertex.weights);
@@ -173,24 +167,40 @@ std::uint32_t append_vertex(const ClipVertex& vertex, const std::array<std::uint
     append_weighted(streams.uv, corner, vertex.weights);
     append_weighted(streams.color, corner, vertex.weights);
     append_weighted(streams.fog, corner, vertex.weights);
-    return static_cast<std::uint32_t>(streams.screen.size() - 1);
 }
 
-/// Draw one clipped triangle as a fan around the polygon's first corner.
+/// The corner from which a fan of triangles covers the polygon without folding over. It is convex before the snap to 1/256
+/// sample; a sliver may come out of it slightly concave, and then a fan from the wrong corner covers samples twice.
+int fan_apex(const ScreenVertex* corner, int count) {
+    for (int apex = 0; apex < count; ++apex) {
+        bool any_left = false, any_right = false;
+        for (int i = 1; i + 1 < count; ++i) {
+            const ScreenVertex& a = corner[apex];
+            const ScreenVertex& b = corner[(apex + i) % count];
+            const ScreenVertex& c = corner[(apex + i + 1) % count];
+            const std::int64_t area = edge_function(a.x, a.y, b.x, b.y, c.x, c.y);
+            any_left |= area < 0;
+            any_right |= area > 0;
+        }
+        if (!any_left || !any_right) return apex;
+    }
+    return 0;
+}
+
+/// Draw one clipped triangle as a fan of triangles.
 void draw_fan(const PendingClip& clip, const Frame& frame, const TileGrid& grid, VertexStreams& streams, DrawList& list,
               TriangleCounts& counts) {
-    const auto append = [&](int i) {
-        return append_vertex(clip.polygon.vertex[i], clip.triangle.vertex, frame.viewport, streams);
-    };
-    const std::uint32_t first = append(0);
-    std::uint32_t last = append(1);
-    list.make_room(static_cast<std::uint32_t>(clip.polygon.vertex.size()));
-    for (int i = 2; i < clip.polygon.count; ++i) {
-        const std::uint32_t next = append(i);
-        ScreenTriangle piece = clip.triangle;
-        piece.vertex = {first, last, next};
-        draw_or_count(streams, frame, grid, piece, list, counts);
-        last = next;
+    const auto first = static_cast<std::uint32_t>(streams.screen.size());
+    const int count = clip.polygon.count;
+    for (int i = 0; i < count; ++i) append_vertex(clip.polygon.vertex[i], clip.triangle.vertex, frame.viewport, streams);
+    const int apex = fan_apex(&streams.screen[first], count);
+    list.make_room(static_cast<std::uint32_t>(count) + 1);
+    for (int i = 1; i + 1 < count; ++i) {
+        const auto corner = [&](int k) { return first + static_cast<std::uint32_t>((apex + k) % count); };
+        ScreenTriangle& piece = candidate(list);
+        piece = clip.triangle;
+        piece.vertex = {corner(0), corner(i), corner(i + 1)};
+        draw_or_count(streams, frame, grid, list, counts);
     }
     ++counts.clipped;
 }
@@ -286,7 +296,7 @@ TriangleCounts setup_triangles(const std::vector<MeshInstance>& instances, const
     set.grid = make_tile_grid(viewport, samples);
     set.chunks.resize(tasks.size());
     std::vector<std::vector<PendingClip>> pending(tasks.size());
-#pragma omp parallel
+#pragma omp parallel if (chunk_count > 1)
     {
         DrawList list;
 #pragma omp for schedule(dynamic)
@@ -299,7 +309,7 @@ TriangleCounts setup_triangles(const std::vector<MeshInstance>& instances, const
         if (!pending[i].empty()) draw_clipped(pending[i], frame, set.grid, streams, set.chunks[i]);
     }
     TriangleCounts sum;
-#pragma omp parallel for schedule(dynamic)
+#pragma omp parallel for schedule(dynamic) if (chunk_count > 1)
     for (int i = 0; i < chunk_count; ++i) bin_chunk(set.grid, set.chunks[i]);
     for (const TriangleChunk& chunk : set.chunks) add(sum, chunk.counts);
     return sum;
