@@ -11,7 +11,7 @@
 namespace kreda::raster {
 
 /// How many points are shaded together at most: their channels together stay in the first two caches.
-inline constexpr int kBatchCapacity = 256;
+inline constexpr int kBatchCapacity = 512;
 
 /// Loops over a batch run up to the next multiple of this: whole vector registers, no rest. What lies behind the
 /// last fragment is computed and never looked at. When stepping in a debugger there is nothing behind it.
