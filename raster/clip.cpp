@@ -11,8 +11,8 @@ namespace kreda::raster {
 
 namespace {
 
-/// A corner while it is being clipped. In double: where a triangle runs from the near plane to far away, w at the cut is
-/// the small difference of large numbers, and in float it may come out as zero or below.
+/// A corner while it is being clipped. In double: where a triangle runs from the near plane to far away, w at the cut
+/// is the small difference of large numbers, and in float it may come out as zero or below.
 struct Corner {
     glm::dvec4 position{0.0};
     glm::dvec3 weights{0.0};
@@ -69,10 +69,10 @@ ClipPolygon clip_triangle(const glm::vec4& a, const glm::vec4& b, const glm::vec
     polygon.corner[1] = {b, {0.0, 1.0, 0.0}};
     polygon.corner[2] = {c, {0.0, 0.0, 1.0}};
     polygon.count = 3;
-    const std::array<glm::dvec4, 6> planes = {
-        glm::dvec4(0.0, 0.0, 1.0, 1.0),  // near first: afterwards w > 0
-        glm::dvec4(0.0, 0.0, -1.0, 1.0), glm::dvec4(1.0, 0.0, 0.0, guard_x), glm::dvec4(-1.0, 0.0, 0.0, guard_x),
-        glm::dvec4(0.0, 1.0, 0.0, guard_y), glm::dvec4(0.0, -1.0, 0.0, guard_y)};
+    const std::array<glm::dvec4, 6> planes = {glm::dvec4(0.0, 0.0, 1.0, 1.0),  // near first: afterwards w > 0
+                                              glm::dvec4(0.0, 0.0, -1.0, 1.0),     glm::dvec4(1.0, 0.0, 0.0, guard_x),
+                                              glm::dvec4(-1.0, 0.0, 0.0, guard_x), glm::dvec4(0.0, 1.0, 0.0, guard_y),
+                                              glm::dvec4(0.0, -1.0, 0.0, guard_y)};
     for (const glm::dvec4& plane : planes) polygon = clip_by_plane(polygon, plane);
     if (polygon.count < 3) return {};
 

@@ -14,8 +14,8 @@ struct ClipVertex {
     glm::vec3 weights{0.0f};   ///< of the triangle's three corners, sum 1; attributes are interpolated with them
 };
 
-/// A convex polygon. A triangle has 3 corners and each of six planes adds at most one, so 9 would do; where rounding makes
-/// a sliver cross a plane more than twice there may be a few more.
+/// A convex polygon. A triangle has 3 corners and each of six planes adds at most one, so 9 would do; where rounding
+/// makes a sliver cross a plane more than twice there may be a few more.
 struct ClipPolygon {
     static constexpr int kMaxCorners = 16;
     std::array<ClipVertex, kMaxCorners> vertex;
@@ -24,8 +24,8 @@ struct ClipPolygon {
 
 /// The part of the triangle a, b, c inside the near and far plane and the guard band
 ///   -w <= z <= w,   |x| <= guard_x w,   |y| <= guard_y w.
-/// Every corner satisfies inside_guard_band(). Empty (count 0) when nothing of area is left or a coordinate is not finite.
-/// Sutherland & Hodgman 1974
+/// Every corner satisfies inside_guard_band(). Empty (count 0) when nothing of area is left or a coordinate is not
+/// finite. Sutherland & Hodgman 1974
 [[nodiscard]] ClipPolygon clip_triangle(const glm::vec4& a, const glm::vec4& b, const glm::vec4& c, float guard_x,
                                         float guard_y);
 

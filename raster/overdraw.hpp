@@ -1,4 +1,5 @@
-// Overdraw: how many triangles lie over each sample. What a depth buffer saves, and the proof that shared edges are exact.
+// Overdraw: how many triangles lie over each sample. What a depth buffer saves, and the proof that shared edges are
+// exact.
 #pragma once
 
 #include <cstdint>

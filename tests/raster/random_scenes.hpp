@@ -23,9 +23,8 @@ using namespace kreda::raster;
 
 /// The same numbers on every machine: the standard fixes the engine's bits, not what its distributions make of them.
 class Random {
-  public:
-    explicit Random(std::uint32_t seed) : bits_(seed) {
-    }
+public:
+    explicit Random(std::uint32_t seed) : bits_(seed) {}
     /// An integer in [low, high].
     int integer(int low, int high) {
         return low + static_cast<int>(bits_() % static_cast<std::uint32_t>(high - low + 1));
@@ -39,14 +38,14 @@ class Random {
         return {x, y, z};
     }
 
-  private:
+private:
     std::mt19937 bits_;
 };
 
 /// Thousands of tiny pictures are drawn faster by one thread: waking the others costs more than their help.
 class OneThread {
 #if defined(_OPENMP)
-  public:
+public:
     OneThread() : before_(omp_get_max_threads()) {
         omp_set_num_threads(1);
     }
@@ -56,12 +55,11 @@ class OneThread {
     OneThread(const OneThread&) = delete;
     OneThread& operator=(const OneThread&) = delete;
 
-  private:
+private:
     int before_;
 #else
-  public:
-    OneThread() {
-    }
+public:
+    OneThread() {}
 #endif
 };
 
@@ -88,13 +86,13 @@ inline Drawn set_up(const Drawing& drawing, const VertexNeeds& needs = {}) {
     instances[0].part_material.assign(drawing.mesh.parts.size(), 0);
     lay_out_vertices(instances, needs, drawn.streams);
     transform_vertices(instances, drawing.clip_from_world, drawing.viewport, drawn.streams);
-    drawn.counts = setup_triangles(instances, drawing.clip_from_world, drawing.viewport, drawing.cull,
-                                   drawing.samples, drawn.streams, drawn.set);
+    drawn.counts = setup_triangles(instances, drawing.clip_from_world, drawing.viewport, drawing.cull, drawing.samples,
+                                   drawn.streams, drawn.set);
     return drawn;
 }
 
-/// clip <- pixels: a point (x, y, z) lands on the screen at x samples from the left and y from the top, at window depth z.
-/// The float error is below 2e-5 samples for images up to 200 wide, so points of the 1/256 grid are hit exactly.
+/// clip <- pixels: a point (x, y, z) lands on the screen at x samples from the left and y from the top, at window depth
+/// z. The float error is below 2e-5 samples for images up to 200 wide, so points of the 1/256 grid are hit exactly.
 inline glm::mat4 clip_from_pixels(const Viewport& viewport) {
     glm::mat4 m(0.0f);
     m[0][0] = 2.0f / static_cast<float>(viewport.width);
@@ -185,10 +183,13 @@ inline glm::vec3 random_pixel_point(Random& random, const Viewport& viewport) {
     const float y = static_cast<float>(random.integer(-margin, viewport.height + margin));
     const float z = random.real(-0.1f, 1.1f);
     switch (random.integer(0, 2)) {
-        case 0: return {x + 0.5f, y + 0.5f, z};
-        case 1: return {x, y, z};
-        default: return {x + static_cast<float>(random.integer(0, 255)) / 256.0f,
-                         y + static_cast<float>(random.integer(0, 255)) / 256.0f, z};
+        case 0:
+            return {x + 0.5f, y + 0.5f, z};
+        case 1:
+            return {x, y, z};
+        default:
+            return {x + static_cast<float>(random.integer(0, 255)) / 256.0f,
+                    y + static_cast<float>(random.integer(0, 255)) / 256.0f, z};
     }
 }
 
@@ -286,15 +287,33 @@ inline Drawing random_scene(std::uint32_t seed) {
     drawing.cull = modes[random.integer(0, 3)];
     drawing.clip_from_world = clip_from_pixels(drawing.viewport);
     switch (seed % kSceneKinds) {
-        case 0: add_soup(random, drawing, 4.0f); break;
-        case 1: add_fan(random, drawing); break;
-        case 2: add_slivers(random, drawing); break;
-        case 3: add_shared_grid(random, drawing); break;
-        case 4: add_sub_pixel(random, drawing); break;
-        case 5: add_huge(random, drawing); break;
-        case 6: add_coplanar(random, drawing); break;
-        case 7: add_rectangles(random, drawing); break;
-        default: add_soup(random, drawing, 30.0f); break;
+        case 0:
+            add_soup(random, drawing, 4.0f);
+            break;
+        case 1:
+            add_fan(random, drawing);
+            break;
+        case 2:
+            add_slivers(random, drawing);
+            break;
+        case 3:
+            add_shared_grid(random, drawing);
+            break;
+        case 4:
+            add_sub_pixel(random, drawing);
+            break;
+        case 5:
+            add_huge(random, drawing);
+            break;
+        case 6:
+            add_coplanar(random, drawing);
+            break;
+        case 7:
+            add_rectangles(random, drawing);
+            break;
+        default:
+            add_soup(random, drawing, 30.0f);
+            break;
     }
     finish(drawing.mesh);
     return drawing;

@@ -48,11 +48,11 @@ TEST_CASE("gluLookAt by hand: 3-4-5 triangle downwards") {
     Camera camera;
     camera.position = {0, 4, 3};
     camera.target = {0, 0, 0};
-    check_matrix(view_from_world(camera),
-                 {{1, 0, 0, 0}, {0, 0.6f, -0.8f, 0}, {0, 0.8f, 0.6f, -5}, {0, 0, 0, 1}}, 1e-7f);  // each entry rounded once
+    check_matrix(view_from_world(camera), {{1, 0, 0, 0}, {0, 0.6f, -0.8f, 0}, {0, 0.8f, 0.6f, -5}, {0, 0, 0, 1}},
+                 1e-7f);  // each entry rounded once
 }
 
-TEST_CASE("gluPerspective by hand: 90 degrees; aspect 2; near 1; far 3") {
+TEST_CASE("gluPerspective by hand: 90 degrees and aspect 2 and near 1 and far 3") {
     // cot(45 deg) = 1;  (f + n)/(n - f) = -2;  2 f n/(n - f) = -3.
     Camera camera;
     camera.vertical_fov_deg = 90.0f;
@@ -61,7 +61,7 @@ TEST_CASE("gluPerspective by hand: 90 degrees; aspect 2; near 1; far 3") {
     check_matrix(clip_from_view(camera, 2.0f), {{0.5f, 0, 0, 0}, {0, 1, 0, 0}, {0, 0, -2, -3}, {0, 0, -1, 0}}, 1e-7f);
 }
 
-TEST_CASE("glOrtho by hand: height 4; aspect 1.5; near 1; far 5") {
+TEST_CASE("glOrtho by hand: height 4 and aspect 1.5 and near 1 and far 5") {
     // 2/width = 1/3, 2/height = 1/2, -2/(f - n) = -1/2, -(f + n)/(f - n) = -3/2.
     Camera camera;
     camera.projection = Projection::orthographic;
@@ -72,7 +72,8 @@ TEST_CASE("glOrtho by hand: height 4; aspect 1.5; near 1; far 5") {
                  {{1.0f / 3.0f, 0, 0, 0}, {0, 0.5f, 0, 0}, {0, 0, -0.5f, -1.5f}, {0, 0, 0, 1}}, 1e-7f);
 }
 
-TEST_CASE("View matrix is a rotation and a translation: lengths stay; determinant 1; the eye becomes the origin") {
+TEST_CASE(
+    "View matrix is a rotation and a translation: lengths stay and determinant 1 and the eye becomes the origin") {
     Random random(1);
     for (int i = 0; i < 200; ++i) {
         const Camera camera = random_camera(random);
@@ -86,7 +87,7 @@ TEST_CASE("View matrix is a rotation and a translation: lengths stay; determinan
     }
 }
 
-TEST_CASE("Target projects to the centre; near plane to -1; far plane to +1") {
+TEST_CASE("Target projects to the centre and near plane to -1 and far plane to +1") {
     Random random(2);
     for (int i = 0; i < 200; ++i) {
         Camera camera = random_camera(random);
@@ -98,13 +99,16 @@ TEST_CASE("Target projects to the centre; near plane to -1; far plane to +1") {
         // Cancellation of coordinates up to 7, over a half height of at least 0.087 (10 degrees) at distance 1.1.
         CHECK(std::abs(target.x) < 2e-5);
         CHECK(std::abs(target.y) < 2e-5);
-        // z_view is off by 2^-24 of 12, so up to 1e-6; relative to near (0.01 at least) that is 1e-4 of the depth range.
-        CHECK(divided(clip * glm::vec4(camera.position + camera.near * forward, 1.0f)).z == doctest::Approx(-1.0).epsilon(4e-4));
-        CHECK(divided(clip * glm::vec4(camera.position + camera.far * forward, 1.0f)).z == doctest::Approx(1.0).epsilon(4e-4));
+        // z_view is off by 2^-24 of 12, so up to 1e-6; relative to near (0.01 at least) that is 1e-4 of the depth
+        // range.
+        CHECK(divided(clip * glm::vec4(camera.position + camera.near * forward, 1.0f)).z ==
+              doctest::Approx(-1.0).epsilon(4e-4));
+        CHECK(divided(clip * glm::vec4(camera.position + camera.far * forward, 1.0f)).z ==
+              doctest::Approx(1.0).epsilon(4e-4));
     }
 }
 
-TEST_CASE("Field of view: half of it above the axis is the top of the image; aspect widens it") {
+TEST_CASE("Field of view: half of it above the axis is the top of the image and aspect widens it") {
     for (const float fov_deg : {10.0f, 45.0f, 90.0f, 150.0f}) {
         Camera camera;
         camera.position = {0, 0, 0};
@@ -117,7 +121,7 @@ TEST_CASE("Field of view: half of it above the axis is the top of the image; asp
     }
 }
 
-TEST_CASE("Perspective w is the distance along the axis; orthographic w is 1") {
+TEST_CASE("Perspective w is the distance along the axis and orthographic w is 1") {
     Camera camera;
     camera.position = {1, 2, 3};
     camera.target = {1, 2, -7};

@@ -79,13 +79,26 @@ glm::vec4 point(Random& random, int outside_plane) {
                 random.real(-0.9f, 0.9f) * w, w);
     const float beyond = random.real(1.1f, 5.0f) * w;
     switch (outside_plane) {
-        case 0: p.z = -beyond; break;
-        case 1: p.z = beyond; break;
-        case 2: p.x = -kGuardX * beyond; break;
-        case 3: p.x = kGuardX * beyond; break;
-        case 4: p.y = -kGuardY * beyond; break;
-        case 5: p.y = kGuardY * beyond; break;
-        default: break;
+        case 0:
+            p.z = -beyond;
+            break;
+        case 1:
+            p.z = beyond;
+            break;
+        case 2:
+            p.x = -kGuardX * beyond;
+            break;
+        case 3:
+            p.x = kGuardX * beyond;
+            break;
+        case 4:
+            p.y = -kGuardY * beyond;
+            break;
+        case 5:
+            p.y = kGuardY * beyond;
+            break;
+        default:
+            break;
     }
     return p;
 }
@@ -134,11 +147,11 @@ TEST_CASE("Near plane cut by hand: halfway and a third of the way") {
     CHECK(polygon.vertex[0].position == a);
     CHECK(polygon.vertex[1].position == glm::vec4(0.5f, 0, -1, 1));
     CHECK(polygon.vertex[1].weights == glm::vec3(0.5f, 0.5f, 0));
-    CHECK(polygon.vertex[2].position.y == doctest::Approx(1.0).epsilon(1e-6));   // 3 * float(1/3), rounded
+    CHECK(polygon.vertex[2].position.y == doctest::Approx(1.0).epsilon(1e-6));  // 3 * float(1/3), rounded
     CHECK(polygon.vertex[2].weights.z == doctest::Approx(1.0 / 3.0).epsilon(1e-6));
 }
 
-TEST_CASE("Clipped corners lie inside all planes; their weights sum to 1 and give their positions") {
+TEST_CASE("Clipped corners lie inside all planes and their weights sum to 1 and give their positions") {
     Random random(3);
     int polygons = 0, most_corners = 0;
     for (int i = 0; i < 20000; ++i) {

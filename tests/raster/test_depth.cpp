@@ -34,7 +34,7 @@ TEST_CASE("Depth plane by hand: z = x/8 + y/4 over a right triangle") {
     const DepthPlane plane = depth_plane(a, b, c, edge_function(a.x, a.y, b.x, b.y, c.x, c.y));
     CHECK(plane.dz_dx == 0.125f);
     CHECK(plane.dz_dy == 0.25f);
-    CHECK(depth_at(plane, depth_of_row(plane, 0), 0) == 0.0625f + 0.125f);   // centre (1/2, 1/2)
+    CHECK(depth_at(plane, depth_of_row(plane, 0), 0) == 0.0625f + 0.125f);  // centre (1/2, 1/2)
     CHECK(depth_at(plane, depth_of_row(plane, 1), 0) == 0.0625f + 0.375f);
     CHECK(depth_at(plane, depth_of_row(plane, 0), 2) == 0.3125f + 0.125f);
 }
@@ -102,7 +102,8 @@ TEST_CASE("Level triangle has its depth exactly everywhere") {
     }
 }
 
-TEST_CASE("Depth grows with distance: 0 at the near plane; 1 at the far plane; z = f (d - n) / (d (f - n)) between") {
+TEST_CASE(
+    "Depth grows with distance: 0 at the near plane and 1 at the far plane and z = f (d - n) / (d (f - n)) between") {
     Camera camera;
     camera.position = {0, 0, 0};
     camera.target = {0, 0, -1};

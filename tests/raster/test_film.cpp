@@ -23,14 +23,14 @@ Image row_of(std::initializer_list<float> values) {
 
 }  // namespace
 
-TEST_CASE("Reinhard by hand: 0.18 -> 0.18/1.18; 1 -> 1/2; 4 -> 4/5") {
+TEST_CASE("Reinhard by hand: 0.18 -> 0.18/1.18 and 1 -> 1/2 and 4 -> 4/5") {
     CHECK(std::abs(reinhard(0.18f) - 0.152542373) < kRounding);
     CHECK(reinhard(0.0f) == 0.0f);
     CHECK(reinhard(1.0f) == 0.5f);
     CHECK(std::abs(reinhard(4.0f) - 0.8) < kRounding);
 }
 
-TEST_CASE("Reinhard never decreases; never exceeds 1; infinity gives 1") {
+TEST_CASE("Reinhard never decreases and never exceeds 1 and infinity gives 1") {
     float before = 0.0f;
     for (float radiance = 1e-6f; radiance < 1e38f; radiance *= 1.01f) {
         const float now = reinhard(radiance);
@@ -42,7 +42,7 @@ TEST_CASE("Reinhard never decreases; never exceeds 1; infinity gives 1") {
     CHECK(reinhard(kInf) == 1.0f);
 }
 
-TEST_CASE("Extended Reinhard by hand: white gives 1; 1 -> 0.53125 for white 4; far above white it stays finite") {
+TEST_CASE("Extended Reinhard by hand: white gives 1 and 1 -> 0.53125 for white 4 and far above white it stays finite") {
     CHECK(reinhard_extended(1.0f, 4.0f) == 0.53125f);  // 1/2 (1 + 1/16)
     for (const float white : {0.5f, 1.0f, 4.0f, 100.0f}) {
         CHECK(std::abs(reinhard_extended(white, white) - 1.0) < kRounding);
@@ -51,7 +51,8 @@ TEST_CASE("Extended Reinhard by hand: white gives 1; 1 -> 0.53125 for white 4; f
         CHECK(reinhard_extended(radiance, 4.0f) >= 1.0f);
         CHECK(std::isfinite(reinhard_extended(radiance, 4.0f)));
     }
-    CHECK(reinhard_extended(0.5f, 1e15f) == doctest::Approx(1.0 / 3.0).epsilon(1e-6));  // a distant white: plain Reinhard
+    CHECK(reinhard_extended(0.5f, 1e15f) ==
+          doctest::Approx(1.0 / 3.0).epsilon(1e-6));  // a distant white: plain Reinhard
 }
 
 TEST_CASE("sRGB by hand: values of IEC 61966-2-1") {
@@ -88,7 +89,7 @@ TEST_CASE("sRGB: all 256 codes survive decoding and encoding") {
     }
 }
 
-TEST_CASE("Gamma 2.2 by hand: 0.5 -> 0.72974; back 0.5^2.2 = 0.21764") {
+TEST_CASE("Gamma 2.2 by hand: 0.5 -> 0.72974 and back 0.5^2.2 = 0.21764") {
     FilmSettings settings;
     settings.transfer = Transfer::gamma;
     CHECK(std::abs(display_value(0.5f, settings) - 0.72974) < 5e-6);  // five digits given
@@ -99,7 +100,7 @@ TEST_CASE("Gamma 2.2 by hand: 0.5 -> 0.72974; back 0.5^2.2 = 0.21764") {
     CHECK(display_value(1.0f, settings) == 1.0f);
 }
 
-TEST_CASE("Order: exposure first; then tone map; then transfer") {
+TEST_CASE("Order: exposure first and then tone map and then transfer") {
     FilmSettings settings;
     settings.exposure = 4.0f;
     settings.tone_map = ToneMap::reinhard;
@@ -111,7 +112,7 @@ TEST_CASE("Order: exposure first; then tone map; then transfer") {
     CHECK(std::abs(display_value(7.0f, settings) - 1.0) < kRounding);  // 1.055f - 0.055f is 0.99999994
 }
 
-TEST_CASE("NaN shows as 0; +infinity as the brightest; negative and -infinity as 0; each is counted") {
+TEST_CASE("NaN shows as 0 and +infinity as the brightest and negative and -infinity as 0 and each is counted") {
     const Image radiance = row_of({0.5f, kNan, kInf, -kInf, -1.0f, -0.0f, 2.0f, kNan});
     for (const ToneMap tone_map : {ToneMap::none, ToneMap::reinhard, ToneMap::reinhard_extended}) {
         for (const Transfer transfer : {Transfer::srgb, Transfer::gamma, Transfer::linear}) {
@@ -149,7 +150,7 @@ TEST_CASE("Every float a film can hold is shown between 0 and 1") {
     }
 }
 
-TEST_CASE("Without non-finite: NaN becomes 0; infinities the largest float of their sign; the rest stays") {
+TEST_CASE("Without non-finite: NaN becomes 0 and infinities the largest float of their sign and the rest stays") {
     FilmReport report;
     const Image clean = without_non_finite(row_of({kNan, kInf, -kInf, -2.0f, 3e38f}), &report);
     CHECK(clean.values[0] == 0.0f);

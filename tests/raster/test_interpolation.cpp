@@ -1,4 +1,5 @@
-// Attributes across a triangle: perspective against long double for any ratio of w, affine as predicted, runs and batches.
+// Attributes across a triangle: perspective against long double for any ratio of w, affine as predicted, runs and
+// batches.
 #include <doctest/doctest.h>
 
 #include <cmath>
@@ -43,8 +44,8 @@ void for_each_fragment(const Drawing& drawing, const Drawn& drawn, const Fragmen
         rasterize_tile(drawn.streams, drawn.set, area, *tile);
         const int run_count = find_runs(*tile, area, drawn.set, runs.data());
         for (int r = 0; r < run_count; ++r) {
-            interpolate_runs(drawn.streams, drawn.set, area, &runs[static_cast<std::size_t>(r)], 1, needs, interpolation,
-                             *fragments);
+            interpolate_runs(drawn.streams, drawn.set, area, &runs[static_cast<std::size_t>(r)], 1, needs,
+                             interpolation, *fragments);
             const Run& run = runs[static_cast<std::size_t>(r)];
             REQUIRE(fragments->count == run.count);
             for (int i = 0; i < run.count; ++i) visit(area.x + run.x + i, area.y + run.y, *fragments, i);
@@ -63,7 +64,8 @@ ExactUv exact_uv(const ScreenVertex* s, const Corner (&corner)[3], int x, int y,
     for (int i = 0; i < 3; ++i) {
         const ScreenVertex& a = s[(i + 1) % 3];
         const ScreenVertex& b = s[(i + 2) % 3];
-        q[i] = static_cast<long double>(edge_function(a.x, a.y, b.x, b.y, p_x, p_y)) / (perspective ? corner[i].w : 1.0f);
+        q[i] =
+            static_cast<long double>(edge_function(a.x, a.y, b.x, b.y, p_x, p_y)) / (perspective ? corner[i].w : 1.0f);
         sum += q[i];
     }
     return {q[0] / sum, q[1] / sum};
@@ -108,7 +110,8 @@ TEST_CASE("Perspective interpolation is within 5e-7 of long double for w ratios 
             const Corner corner[3] = {{place(), 1.0f}, {place(), ratio}, {place(), std::sqrt(ratio)}};
             const Errors errors = uv_errors(viewport, corner, AttributeInterpolation::perspective);
             CHECK(errors.samples > 1000);
-            CHECK(errors.worst <= 5e-7);  // 2.3e-7 measured in a prototype: E, 1/w, the sum and the quotient round once each
+            CHECK(errors.worst <=
+                  5e-7);  // 2.3e-7 measured in a prototype: E, 1/w, the sum and the quotient round once each
         }
     }
 }
@@ -120,8 +123,9 @@ TEST_CASE("Affine interpolation is within 5e-7 of the screen-space weights") {
     CHECK(errors.worst <= 5e-7);
 }
 
-TEST_CASE("Middle of an edge with w 1 and 3: perspective 1/4; affine 1/2") {
-    // u runs from 0 (w = 1) to 1 (w = 3). In the middle of the screen edge: (1/2 * 1/3) / (1/2 * 1/1 + 1/2 * 1/3) = 1/4.
+TEST_CASE("Middle of an edge with w 1 and 3: perspective 1/4 and affine 1/2") {
+    // u runs from 0 (w = 1) to 1 (w = 3). In the middle of the screen edge: (1/2 * 1/3) / (1/2 * 1/1 + 1/2 * 1/3) =
+    // 1/4.
     const Viewport viewport{16, 16};
     const Corner corner[3] = {{{12.5f, 2.5f}, 3.0f}, {{4.5f, 14.5f}, 2.0f}, {{4.5f, 2.5f}, 1.0f}};
     const Drawing drawing = perspective_triangle(viewport, corner);
@@ -163,7 +167,7 @@ TEST_CASE("Corner on a pixel centre has that corner's attribute exactly") {
     CHECK(seen == 1);
 }
 
-TEST_CASE("Constant attribute comes back within its roundings whatever w; others stay in their range") {
+TEST_CASE("Constant attribute comes back within its roundings whatever w and others stay in their range") {
     const Viewport viewport{300, 200};
     Random random(10);
     for (int k = 0; k < 40; ++k) {
@@ -171,34 +175,34 @@ TEST_CASE("Constant attribute comes back within its roundings whatever w; others
             const float x = random.real(0, 300), y = random.real(0, 200);
             return glm::vec2(x, y);
         };
-        const Corner corner[3] = {{place(), std::exp2(random.real(0, 20))}, {place(), std::exp2(random.real(0, 20))},
-                                  {place(), 1.0f}};
+        const Corner corner[3] = {
+            {place(), std::exp2(random.real(0, 20))}, {place(), std::exp2(random.real(0, 20))}, {place(), 1.0f}};
         const Drawing drawing = perspective_triangle(viewport, corner);
         VertexNeeds needs;
         needs.uv = needs.color = needs.fog = true;
         Drawn drawn = set_up(drawing, needs);
         const float constant = random.real(0.5f, 1.0f);
-        // Seven roundings at most: the sum of q (2), its inverse, q / sum, the product with a, and the sum (2). Each is 2^-24;
-        // nearly always they cancel to one or two.
+        // Seven roundings at most: the sum of q (2), its inverse, q / sum, the product with a, and the sum (2). Each is
+        // 2^-24; nearly always they cancel to one or two.
         const float tolerance = 7 * 0x1p-24f * constant;
         std::fill(drawn.streams.color.begin(), drawn.streams.color.end(), glm::vec3(constant, 0.0f, -constant));
         std::fill(drawn.streams.fog.begin(), drawn.streams.fog.end(), constant);
         FragmentNeeds wanted;
         wanted.uv = wanted.color = wanted.fog = true;
         int wrong = 0;
-        for_each_fragment(drawing, drawn, wanted, AttributeInterpolation::perspective,
-                          [&](int, int, const Fragments& f, int i) {
-                              const glm::vec3 color = f.color.at(i);
-                              wrong += std::abs(color.x - constant) <= tolerance && color.y == 0.0f ? 0 : 1;
-                              wrong += color.z == -color.x && f.fog.at(i) == color.x ? 0 : 1;
-                              // Weights that should sum to 1 may exceed it by their rounding.
-                              wrong += f.u.at(i) >= 0.0f && f.v.at(i) >= 0.0f && f.u.at(i) + f.v.at(i) <= 1.0f + 3e-7f ? 0 : 1;
-                          });
+        for_each_fragment(
+            drawing, drawn, wanted, AttributeInterpolation::perspective, [&](int, int, const Fragments& f, int i) {
+                const glm::vec3 color = f.color.at(i);
+                wrong += std::abs(color.x - constant) <= tolerance && color.y == 0.0f ? 0 : 1;
+                wrong += color.z == -color.x && f.fog.at(i) == color.x ? 0 : 1;
+                // Weights that should sum to 1 may exceed it by their rounding.
+                wrong += f.u.at(i) >= 0.0f && f.v.at(i) >= 0.0f && f.u.at(i) + f.v.at(i) <= 1.0f + 3e-7f ? 0 : 1;
+            });
         CHECK(wrong == 0);
     }
 }
 
-TEST_CASE("Runs: each covered sample is in exactly one run of its own triangle; batches line up behind each other") {
+TEST_CASE("Runs: each covered sample is in exactly one run of its own triangle and batches line up behind each other") {
     const OneThread one_thread;
     for (std::uint32_t seed = 0; seed < 400; ++seed) {
         CAPTURE(seed);
@@ -240,7 +244,8 @@ TEST_CASE("Runs: each covered sample is in exactly one run of its own triangle; 
             for (int r = 0; r < batch_end; ++r) {
                 interpolate_runs(drawn.streams, drawn.set, area, &runs[static_cast<std::size_t>(r)], 1, wanted,
                                  AttributeInterpolation::perspective, *alone);
-                for (int i = 0; i < alone->count; ++i) wrong += alone->position.at(i) != together->position.at(first + i) ? 1 : 0;
+                for (int i = 0; i < alone->count; ++i)
+                    wrong += alone->position.at(i) != together->position.at(first + i) ? 1 : 0;
                 first += alone->count;
             }
             CHECK(wrong == 0);
@@ -268,17 +273,19 @@ TEST_CASE("Clipped triangle interpolates as if it had not been clipped") {
     const glm::dmat4 world_from_clip = glm::inverse(glm::dmat4(drawing.clip_from_world));
     double worst = 0.0;
     int samples = 0;
-    for_each_fragment(drawing, drawn, wanted, AttributeInterpolation::perspective, [&](int x, int y, const Fragments& f, int i) {
-        const glm::dvec4 far_point = world_from_clip * glm::dvec4((x + 0.5) / 60.0 - 1.0, 1.0 - (y + 0.5) / 45.0, 0.9, 1.0);
-        const glm::dvec3 ray = glm::dvec3(far_point) / far_point.w - glm::dvec3(camera.position);
-        const double t = -double{camera.position.y} / ray.y;
-        const glm::dvec3 hit = glm::dvec3(camera.position) + t * ray;
-        const double distance = glm::length(hit - glm::dvec3(camera.position));
-        worst = std::max(worst, glm::length(glm::dvec3(f.position.at(i)) - hit) / (distance * distance));
-        ++samples;
-    });
-    // Corners are moved by up to 1/512 sample of 0.011 radians; on the floor, seen from height 1, that is distance^2 times as
-    // much, for the edges of three or four corners.
+    for_each_fragment(
+        drawing, drawn, wanted, AttributeInterpolation::perspective, [&](int x, int y, const Fragments& f, int i) {
+            const glm::dvec4 far_point =
+                world_from_clip * glm::dvec4((x + 0.5) / 60.0 - 1.0, 1.0 - (y + 0.5) / 45.0, 0.9, 1.0);
+            const glm::dvec3 ray = glm::dvec3(far_point) / far_point.w - glm::dvec3(camera.position);
+            const double t = -double{camera.position.y} / ray.y;
+            const glm::dvec3 hit = glm::dvec3(camera.position) + t * ray;
+            const double distance = glm::length(hit - glm::dvec3(camera.position));
+            worst = std::max(worst, glm::length(glm::dvec3(f.position.at(i)) - hit) / (distance * distance));
+            ++samples;
+        });
+    // Corners are moved by up to 1/512 sample of 0.011 radians; on the floor, seen from height 1, that is distance^2
+    // times as much, for the edges of three or four corners.
     MESSAGE("largest error / distance^2: " << worst);
     CHECK(samples > 3000);
     CHECK(worst < 4 * 0.011 / 512);

@@ -29,14 +29,17 @@ std::vector<std::uint32_t> coverage(const Viewport& viewport, glm::vec2 a, glm::
 /// Which samples of row y are covered, as a picture: '#' covered, '.' not.
 std::string row_of(const std::vector<std::uint32_t>& covered, const Viewport& viewport, int y) {
     std::string row;
-    for (int x = 0; x < viewport.width; ++x) row += covered[static_cast<std::size_t>(y * viewport.width + x)] ? '#' : '.';
+    for (int x = 0; x < viewport.width; ++x)
+        row += covered[static_cast<std::size_t>(y * viewport.width + x)] ? '#' : '.';
     return row;
 }
 
 /// The rule as Microsoft publishes it for Direct3D ("Rasterization Rules", top-left rule), word for word and without
-/// edge directions: a centre on an edge is inside if the edge is exactly horizontal and above the others (top edge), or not
-/// exactly horizontal and on the left side of the triangle (left edge). Coordinates are small integers.
-struct Point { int x, y; };
+/// edge directions: a centre on an edge is inside if the edge is exactly horizontal and above the others (top edge), or
+/// not exactly horizontal and on the left side of the triangle (left edge). Coordinates are small integers.
+struct Point {
+    int x, y;
+};
 
 long cross(Point a, Point b, Point p) {
     return long{b.x - a.x} * (p.y - a.y) - long{b.y - a.y} * (p.x - a.x);
@@ -49,7 +52,8 @@ bool is_top_edge(Point a, Point b, Point third) {
 /// Left: at the third corner's height, the line through the edge passes left of that corner.
 bool is_left_edge(Point a, Point b, Point third) {
     if (a.y == b.y) return false;
-    // x on the line at third.y is a.x + (b.x - a.x)(third.y - a.y)/(b.y - a.y); times (b.y - a.y), whose sign may turn the <.
+    // x on the line at third.y is a.x + (b.x - a.x)(third.y - a.y)/(b.y - a.y); times (b.y - a.y), whose sign may turn
+    // the <.
     const long line = long{b.x - a.x} * (third.y - a.y);
     const long corner = long{third.x - a.x} * (b.y - a.y);
     return b.y > a.y ? line < corner : line > corner;
@@ -100,7 +104,7 @@ void check_scenes(std::uint32_t first, std::uint32_t count) {
 
 }  // namespace
 
-TEST_CASE("Triangle with its corners on pixel centres: top and left edge in; hypotenuse out") {
+TEST_CASE("Triangle with its corners on pixel centres: top and left edge in and hypotenuse out") {
     const Viewport viewport{6, 6};
     const auto covered = coverage(viewport, {0.5f, 0.5f}, {4.5f, 0.5f}, {0.5f, 4.5f});
     const char* const rows[] = {"####..", "###...", "##....", "#.....", "......", "......"};
@@ -131,7 +135,7 @@ TEST_CASE("Right and bottom edges through sample centres are not drawn") {
     }
 }
 
-TEST_CASE("Triangle between sample centres covers nothing; around one centre covers it") {
+TEST_CASE("Triangle between sample centres covers nothing and around one centre covers it") {
     const Viewport viewport{3, 3};
     const auto nothing = coverage(viewport, {1.51f, 1.51f}, {2.4f, 1.6f}, {1.7f, 2.4f});
     CHECK(std::count(nothing.begin(), nothing.end(), 1u) == 0);
@@ -165,7 +169,8 @@ TEST_CASE("Culling: counter-clockwise seen by the camera is the front") {
         drawing.cull = cull;
         return set_up(drawing).counts;
     };
-    add_triangle(drawing.mesh, {-0.5f, -0.5f, 0.0f}, {0.5f, -0.5f, 0.0f}, {0.0f, 0.5f, 0.0f});  // y up: counter-clockwise
+    add_triangle(drawing.mesh, {-0.5f, -0.5f, 0.0f}, {0.5f, -0.5f, 0.0f},
+                 {0.0f, 0.5f, 0.0f});  // y up: counter-clockwise
     finish(drawing.mesh);
     CHECK(drawn_with(CullMode::none).drawn == 1);
     CHECK(drawn_with(CullMode::back).drawn == 1);
@@ -183,11 +188,11 @@ TEST_CASE("Each input triangle is counted once: drawn culled outside degenerate 
     drawing.viewport = {8, 8};
     drawing.cull = CullMode::back;
     Mesh& mesh = drawing.mesh;
-    add_triangle(mesh, {-0.5f, -0.5f, 0}, {0.5f, -0.5f, 0}, {0, 0.5f, 0});      // drawn
-    add_triangle(mesh, {-0.5f, -0.5f, 0}, {0, 0.5f, 0}, {0.5f, -0.5f, 0});      // culled
-    add_triangle(mesh, {2, 2, 0}, {3, 2, 0}, {2, 3, 0});                        // outside, within the guard band
-    add_triangle(mesh, {0, 0, 2}, {1, 0, 2}, {0, 1, 2});                        // outside, beyond the far plane
-    add_triangle(mesh, {-0.5f, -0.5f, 0}, {0.5f, 0.5f, 0}, {0, 0, 0});          // degenerate: on a line
+    add_triangle(mesh, {-0.5f, -0.5f, 0}, {0.5f, -0.5f, 0}, {0, 0.5f, 0});  // drawn
+    add_triangle(mesh, {-0.5f, -0.5f, 0}, {0, 0.5f, 0}, {0.5f, -0.5f, 0});  // culled
+    add_triangle(mesh, {2, 2, 0}, {3, 2, 0}, {2, 3, 0});                    // outside, within the guard band
+    add_triangle(mesh, {0, 0, 2}, {1, 0, 2}, {0, 1, 2});                    // outside, beyond the far plane
+    add_triangle(mesh, {-0.5f, -0.5f, 0}, {0.5f, 0.5f, 0}, {0, 0, 0});      // degenerate: on a line
     add_triangle(mesh, {nan, 0, 0}, {1, 0, 0}, {0, 1, 0});
     add_triangle(mesh, {0, 0, 0}, {inf, 0, 0}, {0, 1, 0});
     add_triangle(mesh, {0, 0, 0}, {1, 0, 0}, {0, 0, -inf});

@@ -10,7 +10,7 @@
 
 using namespace kreda::tests;
 
-TEST_CASE("Corners and centre of clip space land on the corners and centre of the image: y turned; row 0 on top") {
+TEST_CASE("Corners and centre of clip space land on the corners and centre of the image: y turned and row 0 on top") {
     const Viewport viewport{200, 100};
     const ScreenVertex centre = to_screen({0, 0, 0, 1}, viewport);
     CHECK(centre.x == 100 * 256);
@@ -28,7 +28,7 @@ TEST_CASE("Corners and centre of clip space land on the corners and centre of th
     CHECK(bottom_right.z == 1.0f);
 }
 
-TEST_CASE("Snap to 1/256 sample: nearest; halves go up on both sides of zero") {
+TEST_CASE("Snap to 1/256 sample: nearest and halves go up on both sides of zero") {
     const Viewport viewport{2, 2};  // x_window = x + 1, exactly
     const auto snapped = [&](float x_window) { return to_screen({x_window - 1.0f, 0, 0, 1}, viewport).x; };
     CHECK(snapped(1.0f) == 256);
@@ -40,7 +40,7 @@ TEST_CASE("Snap to 1/256 sample: nearest; halves go up on both sides of zero") {
     CHECK(snapped(-1.0f - 0.6f / 256) == -257);
 }
 
-TEST_CASE("Snap is at most half a step from the exact place; over the guard band the float adds less than that") {
+TEST_CASE("Snap is at most half a step from the exact place and over the guard band the float adds less than that") {
     Random random(1);
     const Viewport viewport{1920, 1080};
     double worst_inside = 0.0, worst_band = 0.0;
@@ -69,13 +69,13 @@ TEST_CASE("Depth stays in 0..1 for every vertex between the near and far planes"
             const float depth = to_screen({0, 0, z, w}, viewport).z;
             outside += depth >= 0.0f && depth <= 1.0f ? 0 : 1;
         }
-        CHECK(to_screen({0, 0, -w, w}, viewport).z <= 6e-8f);       // 1/w and z/w are rounded: half an ulp of 1 each
+        CHECK(to_screen({0, 0, -w, w}, viewport).z <= 6e-8f);  // 1/w and z/w are rounded: half an ulp of 1 each
         CHECK(to_screen({0, 0, w, w}, viewport).z >= 1.0f - 6e-8f);
     }
     CHECK(outside == 0);
 }
 
-TEST_CASE("Guard band: NaN infinity and w not above zero are outside; its border is inside") {
+TEST_CASE("Guard band: NaN infinity and w not above zero are outside and its border is inside") {
     const float nan = std::numeric_limits<float>::quiet_NaN(), inf = std::numeric_limits<float>::infinity();
     CHECK(inside_guard_band({0, 0, 0, 1}, 2, 3));
     CHECK(inside_guard_band({2, -3, 1, 1}, 2, 3));
@@ -104,8 +104,8 @@ TEST_CASE("Edge steps fit the tile's 32 bits for every image size") {
         const Viewport viewport{side, side};
         const float guard = guard_band_ndc(side);
         int exponent = 0;
-        CHECK(std::frexp(guard, &exponent) == 0.5f);             // a power of two: guard * w does not round
-        CHECK(guard >= 1.0f);                                    // the image itself is inside
+        CHECK(std::frexp(guard, &exponent) == 0.5f);  // a power of two: guard * w does not round
+        CHECK(guard >= 1.0f);                         // the image itself is inside
         CHECK(guard * 0.5f * static_cast<float>(side) <= kGuardBand);
         for (const float w : {1.0f, 0.1f, 3e-7f, 7e9f}) {
             const float reach = guard * w;
@@ -118,7 +118,7 @@ TEST_CASE("Edge steps fit the tile's 32 bits for every image size") {
     }
 }
 
-TEST_CASE("Edge function by hand: twice the area; positive on the right of a downward screen's edge") {
+TEST_CASE("Edge function by hand: twice the area and positive on the right of a downward screen's edge") {
     // a (0,0) -> b (4,0) runs right along the top; y grows downwards, so (1,3) below it is on its right.
     CHECK(edge_function(0, 0, 4, 0, 1, 3) == 12);
     CHECK(edge_function(0, 0, 4, 0, 1, -3) == -12);
@@ -129,7 +129,7 @@ TEST_CASE("Edge function by hand: twice the area; positive on the right of a dow
     CHECK(edge_function(-far, -far, far, far, far, -far + 1) == -4 * far * far + 2 * far);
 }
 
-TEST_CASE("Edge functions of a point sum to twice the area; turning an edge turns the sign") {
+TEST_CASE("Edge functions of a point sum to twice the area and turning an edge turns the sign") {
     Random random(3);
     for (int i = 0; i < 10000; ++i) {
         const auto c = [&] { return std::int64_t{random.integer(-4194304, 4194304)}; };
@@ -148,8 +148,8 @@ TEST_CASE("Top-left: of an edge and the same edge turned exactly one is top or l
             CHECK(is_top_left(x, y) != is_top_left(-x, -y));
         }
     }
-    CHECK(is_top_left(1, 0));    // to the right: the top edge of a clockwise triangle
-    CHECK(is_top_left(0, -1));   // upwards: a left edge
+    CHECK(is_top_left(1, 0));   // to the right: the top edge of a clockwise triangle
+    CHECK(is_top_left(0, -1));  // upwards: a left edge
     CHECK(is_top_left(5, -1));
     CHECK_FALSE(is_top_left(-1, 0));
     CHECK_FALSE(is_top_left(0, 1));

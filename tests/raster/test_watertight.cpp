@@ -1,9 +1,9 @@
 // Watertight: over each sample, front faces minus back faces is the winding number of the mesh's border, exactly.
 //
-// For a closed mesh the border is empty: as many front as back faces lie over every sample, no more, no fewer. For a planar
-// mesh it is the outline: each sample inside is covered once. The winding number is computed from the snapped border with
-// integers alone, by scanlines, without half planes: an independent oracle. "Top-left" means there: sample the point that lies
-// a hair to the right of the centre, and a hair of that hair below.
+// For a closed mesh the border is empty: as many front as back faces lie over every sample, no more, no fewer. For a
+// planar mesh it is the outline: each sample inside is covered once. The winding number is computed from the snapped
+// border with integers alone, by scanlines, without half planes: an independent oracle. "Top-left" means there: sample
+// the point that lies a hair to the right of the centre, and a hair of that hair below.
 #include <doctest/doctest.h>
 
 #include <array>
@@ -32,8 +32,8 @@ std::int64_t floor_div(std::int64_t a, std::int64_t b) {  // b > 0
     return a >= 0 ? a / b : -((-a + b - 1) / b);
 }
 
-/// Adds `times` the contribution of the directed edge a -> b to the winding number (counter-clockwise with y up: +1) of every
-/// sample centre, as differences along each row: the samples left of the place where the edge crosses their row.
+/// Adds `times` the contribution of the directed edge a -> b to the winding number (counter-clockwise with y up: +1) of
+/// every sample centre, as differences along each row: the samples left of the place where the edge crosses their row.
 void add_edge(GridPoint a, GridPoint b, int times, const Viewport& viewport, std::vector<int>& difference) {
     if (a.y == b.y) return;
     // Upward on the screen, inside to the left of it: the samples further left have it on their right.
@@ -49,8 +49,8 @@ void add_edge(GridPoint a, GridPoint b, int times, const Viewport& viewport, std
         // p_x + hair < a.x + d_x (p_y - a.y) / d_y, with p_x = 256 i + 128: how many i >= 0 hold?
         const std::int64_t rise = std::int64_t{y} * kSubpixels + kPixelCentre - a.y;
         const std::int64_t crossing = floor_div((a.x * d_y + d_x * rise) - 1, d_y);  // greatest integer p_x below
-        const std::int64_t left = std::clamp<std::int64_t>(floor_div(crossing - kPixelCentre, kSubpixels) + 1, 0,
-                                                           viewport.width);
+        const std::int64_t left =
+            std::clamp<std::int64_t>(floor_div(crossing - kPixelCentre, kSubpixels) + 1, 0, viewport.width);
         int* const row = &difference[static_cast<std::size_t>(y) * static_cast<std::size_t>(viewport.width + 1)];
         row[0] -= times;
         row[left] += times;
@@ -59,7 +59,8 @@ void add_edge(GridPoint a, GridPoint b, int times, const Viewport& viewport, std
 
 /// Edges of a mesh on the screen that no other triangle runs along in the other direction, and how many were shared.
 struct Border {
-    std::map<std::pair<GridPoint, GridPoint>, int> edges;  ///< from the smaller to the greater point; < 0: the other way
+    std::map<std::pair<GridPoint, GridPoint>, int>
+        edges;  ///< from the smaller to the greater point; < 0: the other way
     std::uint64_t shared = 0;
 };
 
@@ -113,9 +114,9 @@ Layers layers_of(Drawing& drawing) {
 /// What a check found; added up over many meshes.
 struct Result {
     std::uint64_t shared_edges = 0;
-    std::uint64_t covered = 0;       ///< samples under at least one triangle
-    std::uint64_t wrong = 0;         ///< front - back is not the winding number
-    std::uint64_t not_once = 0;      ///< covered, but not by exactly one front face (and at most one back face)
+    std::uint64_t covered = 0;   ///< samples under at least one triangle
+    std::uint64_t wrong = 0;     ///< front - back is not the winding number
+    std::uint64_t not_once = 0;  ///< covered, but not by exactly one front face (and at most one back face)
 };
 
 void check(Drawing& drawing, Result& result) {
@@ -169,7 +170,8 @@ Drawing jittered_grid(std::uint32_t seed, int columns, int rows, float cell_x, f
             glm::vec2 p = corner + glm::vec2(cell_x * (static_cast<float>(x) + random.real(-0.24f, 0.24f)),
                                              cell_y * (static_cast<float>(y) + random.real(-0.24f, 0.24f)));
             const bool move = place != Place::anywhere && random.integer(0, 1) == 0;
-            if (move) p = glm::floor(corner + glm::vec2(cell_x * static_cast<float>(x), cell_y * static_cast<float>(y)));
+            if (move)
+                p = glm::floor(corner + glm::vec2(cell_x * static_cast<float>(x), cell_y * static_cast<float>(y)));
             if (move && place == Place::pixel_centre) p += 0.5f;
             drawing.mesh.positions.push_back({on_grid(p.x), on_grid(p.y), 0.5f});
         }
@@ -212,7 +214,8 @@ TEST_CASE("Each triangle alone covers what the scanline oracle says: 30000 rando
         Drawing drawing;
         drawing.viewport = {12, 10};
         drawing.clip_from_world = clip_from_pixels(drawing.viewport);
-        const glm::vec3 a = random_pixel_point(random, drawing.viewport), b = random_pixel_point(random, drawing.viewport),
+        const glm::vec3 a = random_pixel_point(random, drawing.viewport),
+                        b = random_pixel_point(random, drawing.viewport),
                         c = random_pixel_point(random, drawing.viewport);
         add_triangle(drawing.mesh, {a.x, a.y, 0.5f}, {b.x, b.y, 0.5f}, {c.x, c.y, 0.5f});
         finish(drawing.mesh);
@@ -231,9 +234,9 @@ TEST_CASE("Planar triangulations: every covered sample is covered exactly once: 
         drawings.push_back(jittered_grid(++seed, 100, 100, 2.3f, 1.9f, Place::anywhere));
         drawings.push_back(jittered_grid(++seed, 60, 60, 4.5f, 4.2f, Place::pixel_centre));
         drawings.push_back(jittered_grid(++seed, 60, 60, 4.5f, 4.2f, Place::pixel_corner));
-        drawings.push_back(jittered_grid(++seed, 150, 100, 0.4f, 0.6f, Place::anywhere));   // below a sample
-        drawings.push_back(jittered_grid(++seed, 500, 8, 0.2f, 25.0f, Place::anywhere));    // slivers
-        drawings.push_back(jittered_grid(++seed, 12, 12, 40.0f, 60.0f, Place::anywhere));   // beyond the image
+        drawings.push_back(jittered_grid(++seed, 150, 100, 0.4f, 0.6f, Place::anywhere));  // below a sample
+        drawings.push_back(jittered_grid(++seed, 500, 8, 0.2f, 25.0f, Place::anywhere));   // slivers
+        drawings.push_back(jittered_grid(++seed, 12, 12, 40.0f, 60.0f, Place::anywhere));  // beyond the image
         for (Drawing& drawing : drawings) {
             if (round % 4 == 1) turn(drawing, false);
             if (round % 4 == 2) turn(drawing, true);
@@ -259,7 +262,8 @@ TEST_CASE("Fans whose spokes run through pixel centres: every covered sample is 
         const float centre = i % 3 == 0 ? 0.0f : 0.5f;  // the hub: a pixel corner or a pixel centre
         const glm::vec3 hub(static_cast<float>(random.integer(10, 50)) + centre,
                             static_cast<float>(random.integer(10, 50)) + centre, 0.5f);
-        // All directions (x, y) with small coprime parts, by angle; each spoke as long as chance has it, in whole steps.
+        // All directions (x, y) with small coprime parts, by angle; each spoke as long as chance has it, in whole
+        // steps.
         std::vector<glm::vec2> spokes;
         const int most = random.integer(1, 9);
         for (int y = -most; y <= most; ++y) {
@@ -288,11 +292,14 @@ TEST_CASE("Fans whose spokes run through pixel centres: every covered sample is 
 
 TEST_CASE("Closed shapes from every side: as many front as back faces over every sample") {
     const OneThread one_thread;
-    struct Shape { const char* name; int detail; };
+    struct Shape {
+        const char* name;
+        int detail;
+    };
     Result result;
     Random random(13);
-    for (const Shape shape : {Shape{"cube", 1}, {"cube", 9}, {"sphere", 12}, {"sphere", 150}, {"torus", 80},
-                              {"torus_knot", 300}}) {
+    for (const Shape shape :
+         {Shape{"cube", 1}, {"cube", 9}, {"sphere", 12}, {"sphere", 150}, {"torus", 80}, {"torus_knot", 300}}) {
         for (int view = 0; view < 6; ++view) {
             Drawing drawing;
             drawing.mesh = *make_shape(shape.name, shape.detail);
@@ -338,7 +345,8 @@ TEST_CASE("Open shapes: front minus back faces is the winding number of their bo
             drawing.mesh = *make_shape(name, name[0] == 't' && name[2] == 'a' ? 8 : 40);
             drawing.viewport = {160, 120};
             Camera camera;
-            camera.position = {2.0f * std::cos(1.0f + static_cast<float>(view)), 1.5f, 2.0f * std::sin(static_cast<float>(view))};
+            camera.position = {2.0f * std::cos(1.0f + static_cast<float>(view)), 1.5f,
+                               2.0f * std::sin(static_cast<float>(view))};
             drawing.clip_from_world = clip_from_world(camera, 160.0f / 120.0f);
             check(drawing, result);
         }
@@ -407,8 +415,9 @@ TEST_CASE("Ground that runs under the camera and far beyond the guard band: one 
 }
 
 TEST_CASE("Clipped triangle covers no sample twice: its pieces are a fan without overlap") {
-    // The snap may turn a sliver's polygon into a bow tie, whose pieces overlap with opposite sides to the camera (front minus
-    // back is right even then): measured 23 samples in 3 million triangles of 2^-16 to 2^-4 their length. None in these.
+    // The snap may turn a sliver's polygon into a bow tie, whose pieces overlap with opposite sides to the camera
+    // (front minus back is right even then): measured 23 samples in 3 million triangles of 2^-16 to 2^-4 their length.
+    // None in these.
     const OneThread one_thread;
     Random random(16);
     std::uint64_t clipped = 0, covered = 0, twice = 0;
