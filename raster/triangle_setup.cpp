@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include <glm/matrix.hpp>
+
 #include "raster/clip.hpp"
 #include "raster/platform.hpp"
 #include "raster/scalar_math.hpp"
@@ -31,6 +33,13 @@ struct Frame {
     Viewport viewport;
     CullMode cull;
 };
+
+/// A mirroring transform (a negative scale) turns counter-clockwise into clockwise: what was the back is then the front.
+CullMode cull_mode_for(CullMode cull, const glm::mat4& world_from_object) {
+    if (glm::determinant(glm::dmat3(world_from_object)) >= 0.0) return cull;
+    if (cull == CullMode::back) return CullMode::front;
+    return cull == CullMode::front ? CullMode::back : cull;
+}
 
 /// First and last sample whose centre lies in [min, max] (1/256 sample), inside an image of `side` samples.
 struct SampleRange { std::int32_t first, last; };
@@ -290,7 +299,9 @@ TileGrid make_tile_grid(const Viewport& viewport, int samples) {
 TriangleCounts setup_triangles(const std::vector<MeshInstance>& instances, const glm::mat4& clip_from_world,
                                const Viewport& viewport, CullMode cull, int samples, VertexStreams& streams,
                                TriangleSet& set) {
-    const Frame frame{clip_from_world, viewport, cull};
+    const auto frame_of = [&](const ChunkTask& task) {
+        return Frame{clip_from_world, viewport, cull_mode_for(cull, instances[task.instance].world_from_object)};
+    };
     const std::vector<ChunkTask> tasks = make_tasks(instances);
     const int chunk_count = static_cast<int>(tasks.size());
     set.grid = make_tile_grid(viewport, samples);
@@ -301,12 +312,13 @@ TriangleCounts setup_triangles(const std::vector<MeshInstance>& instances, const
         DrawList list;
 #pragma omp for schedule(dynamic)
         for (int i = 0; i < chunk_count; ++i) {
-            setup_chunk(tasks[i], instances[tasks[i].instance], frame, set.grid, streams, list, set.chunks[i], pending[i]);
+            setup_chunk(tasks[i], instances[tasks[i].instance], frame_of(tasks[i]), set.grid, streams, list, set.chunks[i],
+                        pending[i]);
         }
     }
     // Clipped triangles append vertices to the streams: one thread, in order, so that their numbers never change.
     for (int i = 0; i < chunk_count; ++i) {
-        if (!pending[i].empty()) draw_clipped(pending[i], frame, set.grid, streams, set.chunks[i]);
+        if (!pending[i].empty()) draw_clipped(pending[i], frame_of(tasks[i]), set.grid, streams, set.chunks[i]);
     }
     TriangleCounts sum;
 #pragma omp parallel for schedule(dynamic) if (chunk_count > 1)

@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include <glm/geometric.hpp>
+#include <glm/matrix.hpp>
 
 namespace kreda::scene {
 
@@ -55,9 +56,14 @@ void light_range(const lighting::MaterialSetup& material, const lighting::Lighti
     });
 }
 
+/// A mirroring transform turns counter-clockwise into clockwise: the face's normal is then the other cross product.
+float orientation_of(const glm::mat4& world_from_object) {
+    return glm::determinant(glm::dmat3(world_from_object)) < 0.0 ? -1.0f : 1.0f;
+}
+
 /// Centroid and normal of a triangle of the scene in world space, before any clipping.
 void set_flat_point(const RenderBuffers& buffers, const raster::TriangleChunk& chunk,
-                    const raster::ScreenTriangle& triangle, int i, raster::Fragments& points) {
+                    const raster::ScreenTriangle& triangle, float orientation, int i, raster::Fragments& points) {
     const raster::MeshInstance& instance = buffers.instances[chunk.instance];
     const std::uint32_t* index = &instance.mesh->indices[3 * std::size_t{triangle.source - chunk.first_source}];
     const glm::vec3* position = &buffers.streams.position_world[instance.first_vertex];
@@ -65,17 +71,20 @@ void set_flat_point(const RenderBuffers& buffers, const raster::TriangleChunk& c
     const glm::vec3 b = position[index[1]];
     const glm::vec3 c = position[index[2]];
     points.position.set(i, (a + b + c) * (1.0f / 3.0f));
-    points.normal.set(i, glm::cross(b - a, c - a));
+    points.normal.set(i, orientation * glm::cross(b - a, c - a));
 }
 
 /// Flat colours of one chunk of triangles (they share a material).
 void light_chunk(const RenderPlan& plan, const lighting::LightingSetup& setup, const RenderBuffers& buffers,
                  const raster::TriangleChunk& chunk, std::vector<glm::vec3>& color, LightingScratch& scratch) {
     const int total = static_cast<int>(chunk.triangles.size());
+    const float orientation = orientation_of(buffers.instances[chunk.instance].world_from_object);
     color.resize(chunk.triangles.size());
     for (int begin = 0; begin < total; begin += kBatchCapacity) {
         const int count = std::min(kBatchCapacity, total - begin);
-        for (int i = 0; i < count; ++i) set_flat_point(buffers, chunk, chunk.triangles[begin + i], i, scratch.points);
+        for (int i = 0; i < count; ++i) {
+            set_flat_point(buffers, chunk, chunk.triangles[begin + i], orientation, i, scratch.points);
+        }
         scratch.points.count = count;
         light_batch(scratch.points, plan.materials[chunk.triangles[0].material], setup, scratch.channels);
         for (int i = 0; i < count; ++i) color[begin + i] = scratch.channels.radiance.at(i);

@@ -12,6 +12,7 @@
 
 #include "raster/normals.hpp"
 #include "raster/shapes.hpp"
+#include "raster/triangle_setup.hpp"
 #include "scene/mesh_file.hpp"
 #include "scene/toml_check.hpp"
 
@@ -83,15 +84,15 @@ SharedMesh ObjectReader::load_file(const std::string& path, Normals normals) {
 /// What `mesh` names: a built-in shape if there is one of that name, else a file.
 SharedMesh ObjectReader::mesh_of(const Value& table) {
     std::string name;
-    int detail = 64;
     Normals normals = Normals::file;
     read(table, "mesh", name);
-    read(table, "detail", detail);
     read_word(table, "normals", normals);
     const std::string with_normals = " normals " + std::to_string(static_cast<int>(normals));
 
     const std::vector<std::string> shapes = built_in_names();
     if (std::find(shapes.begin(), shapes.end(), name) != shapes.end()) {
+        int detail = raster::default_detail(name).value();
+        read(table, "detail", detail);
         SharedMesh& shared = meshes[name + " detail " + std::to_string(detail) + with_normals];
         if (!shared.mesh) shared.mesh = std::make_shared<raster::Mesh>(built_in_mesh(table, name, detail, normals));
         return shared;
@@ -202,11 +203,27 @@ glm::mat4 world_from_object(glm::vec3 translate, glm::vec3 rotate_deg, glm::vec3
     return glm::mat4(t * rz * ry * rx * s);
 }
 
+namespace {
+
+/// Triangles are numbered chunk by chunk, 2^16 chunks at most, and a chunk holds triangles of one part only.
+void check_parts(const Scene& scene) {
+    std::uint64_t chunks = 0;
+    for (const Object& object : scene.objects) {
+        for (const raster::MeshPart& part : object.mesh->parts) chunks += part.triangle_count / raster::kTrianglesPerChunk + 1;
+    }
+    if (chunks < (std::uint64_t{1} << 16)) return;
+    throw UserError({scene.file}, "the meshes have too many parts or triangles (" + std::to_string(chunks) +
+                                      " chunks of one part; at most 65535); join parts that share a material");
+}
+
+}  // namespace
+
 void read_objects(const Value& root, const std::string& folder, const ReadOptions& options, Scene& scene) {
     const Value* objects = find(root, "object");
     if (!objects) return;
     ObjectReader reader{folder, options, scene, scene.materials.size(), -1, {}};
     for (const Value& table : objects->items) reader.read_object(table);
+    check_parts(scene);
 }
 
 }  // namespace kreda::scene

@@ -146,6 +146,26 @@ lighting::Fog read_fog(const Value& table) {
     return fog;
 }
 
+lighting::CookTorranceMaterial read_cook_torrance(const Value& table) {
+    lighting::CookTorranceMaterial material;
+    read(table, "albedo", material.albedo);
+    read(table, "metallic", material.metallic);
+    read(table, "roughness", material.roughness);
+    read(table, "ao", material.ao);
+    read_word(table, "distribution", material.distribution);
+    read_word(table, "geometry", material.geometry);
+    read_word(table, "fresnel", material.fresnel);
+    read_word(table, "energy_compensation", material.energy_compensation);
+    if (find(table, "ior")) read(table, "ior", material.ior.emplace());
+    if (const Value* k = find(table, "extinction")) {
+        if (!material.ior) {
+            throw UserError(k->place, "'extinction' in [[material]] needs 'ior' beside it: a metal has both n and k");
+        }
+        read(table, "extinction", material.extinction.emplace());
+    }
+    return material;
+}
+
 lighting::Material read_material(const Value& table) {
     lighting::Material material;
     read(table, "name", material.name);
@@ -155,6 +175,7 @@ lighting::Material read_material(const Value& table) {
     read(table, "specular", material.phong.specular);
     read(table, "emission", material.phong.emission);
     read(table, "shininess", material.phong.shininess);
+    material.cook_torrance = read_cook_torrance(table);
     return material;
 }
 
@@ -170,8 +191,9 @@ void read_materials(const Value& tables, Scene& scene) {
     }
 }
 
-Scene build_scene(const Value& root, const std::string& folder, const ReadOptions& options) {
+Scene build_scene(const Value& root, const std::string& name, const std::string& folder, const ReadOptions& options) {
     Scene scene;
+    scene.file = name;
     if (const Value* table = find(root, "image")) scene.image = read_image(*table);
     if (const Value* table = find(root, "camera")) scene.camera = read_camera(*table);
     if (const Value* table = find(root, "shading")) scene.shading = read_shading(*table);
@@ -210,9 +232,7 @@ Scene read_scene_text(const std::string& text, const std::string& name, const st
     check_tables(root);
     apply_overrides(root, options.overrides);
     check_keys(root);
-    Scene scene = build_scene(root, folder, options);
-    scene.file = name;
-    return scene;
+    return build_scene(root, name, folder, options);
 }
 
 Scene read_scene(const std::string& path, const ReadOptions& options) {

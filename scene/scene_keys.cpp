@@ -12,6 +12,7 @@ using enum KeyType;
 constexpr Range kAny{};
 constexpr Range kNotNegative{0.0, 1e9};
 constexpr Range kPositive{1e-9, 1e9};
+constexpr Range kShare{0.0, 1.0};
 
 std::vector<KeyInfo> make_keys() {
     return {
@@ -69,15 +70,32 @@ std::vector<KeyInfo> make_keys() {
 
         {"material", "name", text, "\"default\"", "what objects call it", kAny, {}, "\"gold\""},
         {"material", "model", word, "\"blinn_phong\"", "the reflection model", kAny,
-         {"unlit", "lambert", "phong", "blinn_phong"}, ""},
+         {"unlit", "lambert", "phong", "blinn_phong", "ward", "cook_torrance"}, ""},
         {"material", "ambient", vector, "[0.1, 0.1, 0.1]", "m_A", kNotNegative, {}, ""},
         {"material", "diffuse", vector, "[0.7, 0.7, 0.7]", "m_D", kNotNegative, {}, ""},
         {"material", "specular", vector, "[0.3, 0.3, 0.3]", "m_S", kNotNegative, {}, ""},
         {"material", "emission", vector, "[0, 0, 0]", "m_E", kNotNegative, {}, ""},
         {"material", "shininess", number, "32", "h: the exponent of the highlight", kNotNegative, {}, ""},
 
+        {"material", "albedo", vector, "[0.8, 0.8, 0.8]", "cook_torrance: base colour", kShare, {}, "[1, 0.78, 0.34]"},
+        {"material", "metallic", number, "0", "cook_torrance: 0 dielectric, 1 metal", kShare, {}, ""},
+        {"material", "roughness", number, "0.5", "cook_torrance: alpha = roughness^2", kShare, {}, ""},
+        {"material", "ao", number, "1", "cook_torrance: share of the environment's light that arrives", kShare, {}, ""},
+        {"material", "distribution", word, "\"ggx\"", "cook_torrance: D", kAny,
+         {"ggx", "beckmann", "blinn_phong", "gaussian"}, ""},
+        {"material", "geometry", word, "\"schlick_ggx\"", "cook_torrance: G", kAny,
+         {"schlick_ggx", "smith", "smith_correlated", "implicit", "cook_torrance"}, ""},
+        {"material", "fresnel", word, "\"schlick\"", "cook_torrance: F", kAny,
+         {"schlick", "exact", "rescaled_schlick", "corrected_schlick", "f82", "table", "nvidia", "none"}, ""},
+        {"material", "energy_compensation", word, "\"none\"", "cook_torrance: light that bounces more than once", kAny,
+         {"none", "kulla_conty"}, ""},
+        {"material", "ior", vector, "", "cook_torrance: n per channel; F0 then comes from n and k", kPositive, {},
+         "[0.18, 0.42, 1.37]"},
+        {"material", "extinction", vector, "", "cook_torrance: k per channel, with ior; without it 0", kNotNegative, {},
+         "[3.42, 2.35, 1.77]"},
+
         {"object", "mesh", text, "", "an OBJ file, or a built-in shape", kAny, {}, "\"teapot\""},
-        {"object", "detail", whole, "64", "built-in shapes: subdivisions", {1, 4096}, {}, ""},
+        {"object", "detail", whole, "", "built-in shapes: subdivisions; each shape has its own default", {1, 4096}, {}, "64"},
         {"object", "normals", word, "\"file\"", "file: its own (smooth where it has none)", kAny,
          {"file", "smooth", "flat"}, ""},
         {"object", "material", text, "", "without it, the OBJ's own MTL materials", kAny, {}, "\"gold\""},
@@ -94,18 +112,6 @@ std::vector<Planned> make_planned() {
         {"environment", "", ""},
         {"light", "shadow", "true"},
         {"image", "background", "environment"},
-        {"material", "model", "ward"},
-        {"material", "model", "cook_torrance"},
-        {"material", "albedo", ""},
-        {"material", "metallic", ""},
-        {"material", "roughness", ""},
-        {"material", "ao", ""},
-        {"material", "distribution", ""},
-        {"material", "geometry", ""},
-        {"material", "fresnel", ""},
-        {"material", "energy_compensation", ""},
-        {"material", "ior", ""},
-        {"material", "extinction", ""},
         {"material", "albedo_map", ""},
         {"material", "metallic_map", ""},
         {"material", "roughness_map", ""},

@@ -89,7 +89,8 @@ TEST_CASE("Detail belongs to built-in meshes and has the range of the shape") {
         return folder.read("[[object]]\n" + lines).objects[0].mesh->triangle_count();
     };
     CHECK(triangles("mesh = 'plane'\ndetail = 3\n") == 2 * 3 * 3);
-    CHECK(triangles("mesh = 'plane'\n") == 2 * 64 * 64);
+    CHECK(triangles("mesh = 'plane'\n") == 2);  // each shape has its own default: a plane is one quad
+    CHECK(triangles("mesh = 'terrain'\n") == 2 * 64 * 64);
     CHECK(folder.complaint("[[object]]\nmesh = 'sphere'\ndetail = 2\n").substr(0, 13) == "s.toml:3:10: ");
     CHECK(folder.complaint("[[object]]\nmesh = 'bare.obj'\ndetail = 2\n") ==
           "s.toml:3:1: 'detail' is for built-in meshes; 'bare.obj' is a file, its triangles are fixed");

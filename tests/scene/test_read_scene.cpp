@@ -116,7 +116,68 @@ TEST_CASE("Writing every default out changes nothing") {
     CHECK(written.materials[0].phong.shininess == implied.materials[0].phong.shininess);
     CHECK(written.objects[0].world_from_object == glm::mat4(1.0f));
     CHECK(written.objects[0].mesh->triangle_count() == implied.objects[0].mesh->triangle_count());
-    CHECK(written.objects[0].mesh->triangle_count() == 6 * 64 * 64 * 2);  // detail 64: 6 faces of 64 x 64 quads
+    CHECK(written.objects[0].mesh->triangle_count() == 6 * 2);  // a cube's default detail is 1: one quad a face
+    CHECK(written.materials[0].cook_torrance.albedo == implied.materials[0].cook_torrance.albedo);
+    CHECK(written.materials[0].cook_torrance.metallic == implied.materials[0].cook_torrance.metallic);
+    CHECK(written.materials[0].cook_torrance.roughness == implied.materials[0].cook_torrance.roughness);
+    CHECK(written.materials[0].cook_torrance.ao == implied.materials[0].cook_torrance.ao);
+    CHECK(written.materials[0].cook_torrance.distribution == implied.materials[0].cook_torrance.distribution);
+    CHECK(written.materials[0].cook_torrance.geometry == implied.materials[0].cook_torrance.geometry);
+    CHECK(written.materials[0].cook_torrance.fresnel == implied.materials[0].cook_torrance.fresnel);
+    CHECK_FALSE(implied.materials[0].cook_torrance.ior.has_value());
+}
+
+TEST_CASE("Every key of cook_torrance arrives at its field") {
+    const Scene scene = read_text(R"(
+[[material]]
+model = "cook_torrance"
+albedo = [1, 0.78, 0.34]
+metallic = 0.25
+roughness = 0.3
+ao = 0.5
+distribution = "gaussian"
+geometry = "implicit"
+fresnel = "f82"
+energy_compensation = "kulla_conty"
+ior = [0.18, 0.42, 1.37]
+extinction = [3.42, 2.35, 1.77]
+[[material]]
+name = "w"
+model = "ward"
+)");
+    using namespace lighting;
+    CHECK(scene.materials[0].model == ReflectionModel::cook_torrance);
+    CHECK(scene.materials[1].model == ReflectionModel::ward);
+    const CookTorranceMaterial& m = scene.materials[0].cook_torrance;
+    CHECK(m.albedo == glm::vec3(1.0f, 0.78f, 0.34f));
+    CHECK(m.metallic == 0.25f);
+    CHECK(m.roughness == 0.3f);
+    CHECK(m.ao == 0.5f);
+    CHECK(m.distribution == Distribution::gaussian);
+    CHECK(m.geometry == Geometry::implicit);
+    CHECK(m.fresnel == FresnelMethod::f82);
+    CHECK(m.energy_compensation == EnergyCompensation::kulla_conty);
+    CHECK(m.ior.value() == glm::vec3(0.18f, 0.42f, 1.37f));
+    CHECK(m.extinction.value() == glm::vec3(3.42f, 2.35f, 1.77f));
+}
+
+TEST_CASE("The words of cook_torrance stand in the order of their enumerators") {
+    using namespace lighting;
+    const auto material = [](const std::string& line) {
+        return read_text("[[material]]\n" + line + "\n").materials.at(0).cook_torrance;
+    };
+    CHECK(material("distribution = 'ggx'").distribution == Distribution::ggx);
+    CHECK(material("distribution = 'beckmann'").distribution == Distribution::beckmann);
+    CHECK(material("distribution = 'blinn_phong'").distribution == Distribution::blinn_phong);
+    CHECK(material("geometry = 'smith'").geometry == Geometry::smith);
+    CHECK(material("geometry = 'smith_correlated'").geometry == Geometry::smith_correlated);
+    CHECK(material("geometry = 'cook_torrance'").geometry == Geometry::cook_torrance);
+    CHECK(material("fresnel = 'exact'").fresnel == FresnelMethod::exact);
+    CHECK(material("fresnel = 'rescaled_schlick'").fresnel == FresnelMethod::rescaled_schlick);
+    CHECK(material("fresnel = 'corrected_schlick'").fresnel == FresnelMethod::corrected_schlick);
+    CHECK(material("fresnel = 'table'").fresnel == FresnelMethod::table);
+    CHECK(material("fresnel = 'nvidia'").fresnel == FresnelMethod::nvidia);
+    CHECK(material("fresnel = 'none'").fresnel == FresnelMethod::none);
 }
 
 TEST_CASE("Each key arrives at its field") {

@@ -154,8 +154,16 @@ TEST_CASE("What is planned but not built says so") {
     CHECK(complaint("[[light]]\nshadow = true\n") == "s.toml:2:10: shadow = true" + end);
     CHECK(complaint("[[light]]\nshadow = false\n") == "no complaint");
     CHECK(complaint("[image]\nbackground = 'environment'\n") == "s.toml:2:14: background = \"environment\"" + end);
-    CHECK(complaint("[[material]]\nmodel = 'ward'\n") == "s.toml:2:9: model = \"ward\"" + end);
-    CHECK(complaint("[[material]]\nroughness = 0.2\n") == "s.toml:2:1: 'roughness' in [[material]]" + end);
+    CHECK(complaint("[[material]]\nalbedo_map = 'a.png'\n") == "s.toml:2:1: 'albedo_map' in [[material]]" + end);
+}
+
+TEST_CASE("The microfacet model's constants have their ranges") {
+    CHECK(place("[[material]]\nroughness = 1.5\n") == "s.toml:2:13");
+    CHECK(place("[[material]]\nmetallic = -0.1\n") == "s.toml:2:12");
+    CHECK(place("[[material]]\nior = [1.5, 0, 1.5]\n") == "s.toml:2:13");
+    CHECK(complaint("[[material]]\nextinction = [3, 2, 1]\n") ==
+          "s.toml:2:14: 'extinction' in [[material]] needs 'ior' beside it: a metal has both n and k");
+    CHECK(complaint("[[material]]\nior = [1.5, 1.5, 1.5]\n") == "no complaint");
 }
 
 TEST_CASE("Nothing is both planned and known") {
