@@ -1,0 +1,131 @@
+// The pictures of 20_lights to 25_exponents against numbers worked by hand.
+#include <algorithm>
+#include <cmath>
+
+#include <doctest/doctest.h>
+#include <glm/geometric.hpp>
+#include <glm/trigonometric.hpp>
+
+#include "course.hpp"
+#include "examples/draw.hpp"
+#include "lighting/light.hpp"
+#include "lighting/reflection.hpp"
+#include "raster/film.hpp"
+#include "raster/shapes.hpp"
+
+using namespace kreda;
+using namespace kreda::tests;
+
+namespace {
+
+/// Panel number `index` of a golden montage of 320 x 180, decoded to linear light.
+raster::Image panel(const std::string& file, int columns, int rows, int index) {
+    const glm::ivec2 size = examples::panel_size(320, 180, columns, rows);
+    const glm::ivec2 corner = glm::ivec2(index % columns, index / columns) * (size + 4);
+    raster::Image image = examples::crop(golden(file), corner.x, corner.y, size.x, size.y);
+    for (float& value : image.values) value = raster::linear_from_srgb(value);
+    return image;
+}
+
+glm::vec3 middle(const raster::Image& image) { return image.rgb(image.width / 2, image.height / 2); }
+
+/// Half a code of sRGB's 8 bits, in linear light near the value x: the slope of the decoding is at most 2.3.
+constexpr float kHalfCode = 0.5f / 255.0f * 2.3f;
+
+float brightest_green(const raster::Image& image) {
+    return *std::max_element(image.values.begin() + image.width * image.height,
+                             image.values.begin() + 2 * image.width * image.height);
+}
+
+double sum_of(const raster::Image& image) {
+    double sum = 0.0;
+    for (int y = 0; y < image.height * 3 / 4; ++y) {  // above the caption
+        for (int x = 0; x < image.width; ++x) sum += image.at(0, x, y);
+    }
+    return sum;
+}
+
+}  // namespace
+
+TEST_CASE("20_lights: at twice the distance a physical lamp gives a quarter") {
+    const lighting::Attenuation physical{0.0f, 0.0f, 1.0f};
+    CHECK(lighting::attenuate(physical, 2.0f) / lighting::attenuate(physical, 1.0f) ==
+          doctest::Approx(documented_number("20_lights", "at_two")));
+}
+
+TEST_CASE("20_lights: the sun lights the table evenly and outside the cone only ambient light is left") {
+    const raster::Image sun = panel("20_lights/lights.png", 2, 2, 0);
+    CHECK(glm::distance(sun.rgb(10, 20), sun.rgb(150, 60)) < 2.0f * kHalfCode);
+    const raster::Image spot = panel("20_lights/lights.png", 2, 2, 3);
+    CHECK(glm::distance(spot.rgb(150, 20), 0.15f * examples::kDust) < 2.0f * kHalfCode);
+}
+
+TEST_CASE("21_lambert: the wall is 0.8 times the cosine") {
+    const int angles[] = {0, 30, 60, 80, 100};
+    for (int i = 0; i < 5; ++i) {
+        CAPTURE(angles[i]);
+        const float cosine = static_cast<float>(std::cos(glm::radians(static_cast<double>(angles[i]))));
+        const glm::vec3 expected(0.8f * std::max(cosine, 0.0f));
+        CHECK(glm::distance(middle(panel("21_lambert/cosine.png", 3, 2, i)), expected) < 2.0f * kHalfCode);
+    }
+    CHECK(0.8 * std::cos(glm::radians(60.0)) == doctest::Approx(documented_number("21_lambert", "at_60")));
+}
+
+TEST_CASE("22_phong_terms: the last picture is the sum of the four others in linear light") {
+    const raster::Image sum = panel("22_phong_terms/terms.png", 3, 2, 4);
+    int compared = 0;
+    for (int y = 0; y < 70; ++y) {  // above the captions
+        for (int x = 0; x < sum.width; ++x) {
+            for (int c = 0; c < 3; ++c) {
+                float terms = 0.0f;
+                for (int i = 0; i < 4; ++i) terms += panel("22_phong_terms/terms.png", 3, 2, i).at(c, x, y);
+                if (terms > 0.97f) continue;  // clipped at white
+                CHECK(std::abs(terms - sum.at(c, x, y)) < 5.0f * kHalfCode);  // five pictures of 8 bits each
+                ++compared;
+            }
+            if (x % 8 != 0) x += 7;  // every eighth column is enough
+        }
+    }
+    CHECK(compared > 1000);
+    CHECK(std::pow(0.9, 40.0) == doctest::Approx(documented_number("22_phong_terms", "dim")).epsilon(0.02));
+}
+
+TEST_CASE("22_phong_terms: yellow light on a violet material is red") {
+    CHECK(lighting::ambient_term({1, 1, 0}, {1, 0, 1}) == glm::vec3(1, 0, 0));
+    CHECK(lighting::ambient_term({1, 1, 0}, {0, 0, 1}) == glm::vec3(0, 0, 0));
+}
+
+TEST_CASE("23_blinn_phong: the matched exponent is nearer to Phong than the same one") {
+    const raster::Image same = panel("23_blinn_phong/blinn_phong.png", 3, 2, 4);
+    const raster::Image matched = panel("23_blinn_phong/blinn_phong.png", 3, 2, 5);
+    CHECK(sum_of(matched) < 0.4 * sum_of(same));
+    CHECK(lighting::blinn_exponent_matching_phong(24.0f) == documented_number("23_blinn_phong", "matched"));
+}
+
+TEST_CASE("24_shading: Gouraud misses the narrow highlight that Phong shows") {
+    const float gouraud = brightest_green(panel("24_shading/shading.png", 3, 2, 4));
+    const float phong = brightest_green(panel("24_shading/shading.png", 3, 2, 5));
+    CHECK(phong > gouraud + 0.1f);
+    CHECK(raster::make_shape("sphere", 16)->triangle_count() == documented_number("24_shading", "triangles"));
+}
+
+TEST_CASE("25_exponents: the highlight falls to one half where the arccosine says") {
+    const float pixels_a_unit = 88.0f / 2.4f;
+    const double exponents[] = {1, 4, 16, 64};
+    for (int i = 0; i < 4; ++i) {
+        CAPTURE(exponents[i]);
+        const raster::Image image = panel("25_exponents/exponents.png", 3, 2, i);
+        const double rho = std::acos(std::pow(0.5, 1.0 / exponents[i]));  // between v and r: twice the normal's angle
+        const double radius = std::sin(0.5 * rho) * pixels_a_unit;
+        int x = 52;
+        while (x < 103 && image.at(0, x, 44) >= 0.5f) ++x;
+        CHECK(x - 52 == doctest::Approx(radius).epsilon(0.02).scale(60.0));  // to about one pixel
+    }
+}
+
+TEST_CASE("25_exponents: for h = 1 the disc ends where the normal is turned by 45 degrees") {
+    const raster::Image image = panel("25_exponents/exponents.png", 3, 2, 0);
+    const double edge = 52 + std::sin(glm::radians(documented_number("25_exponents", "edge"))) * 88.0 / 2.4;
+    CHECK(image.at(0, static_cast<int>(edge) - 3, 44) > 0.01f);
+    CHECK(image.at(0, static_cast<int>(edge) + 2, 44) == 0.0f);
+}

@@ -1,0 +1,132 @@
+// The lecture's local models against numbers worked by hand.
+#include <cmath>
+#include <initializer_list>
+
+#include <doctest/doctest.h>
+
+#include "lighting/passes.hpp"
+#include "lighting/reflection.hpp"
+
+using namespace kreda;
+using namespace kreda::lighting;
+
+namespace {
+
+glm::vec3 direction(double theta_deg, double phi_deg = 0.0) {
+    const double theta = theta_deg * 3.14159265358979 / 180.0, phi = phi_deg * 3.14159265358979 / 180.0;
+    return glm::vec3(std::sin(theta) * std::cos(phi), std::sin(theta) * std::sin(phi), std::cos(theta));
+}
+
+const glm::vec3 kNormal{0, 0, 1};
+
+PhongMaterial material(float shininess) {
+    return {.ambient = glm::vec3(0.0f), .diffuse = {0.8f, 0.4f, 0.2f}, .specular = glm::vec3(0.5f), .shininess = shininess};
+}
+
+}  // namespace
+
+TEST_CASE("Yellow ambient light makes a blue surface black and a violet one red") {
+    CHECK(ambient_term({1, 1, 0}, {0, 0, 1}) == glm::vec3(0, 0, 0));
+    CHECK(ambient_term({1, 1, 0}, {1, 0, 1}) == glm::vec3(1, 0, 0));
+}
+
+TEST_CASE("Lambert at 60 degrees reflects half and behind the surface nothing") {
+    CHECK(lambert(kNormal, direction(60), material(1)).diffuse.x == doctest::Approx(0.4));
+    CHECK(lambert(kNormal, direction(120), material(1)).diffuse == glm::vec3(0.0f));
+}
+
+TEST_CASE("The mirror vector is unit and as far from the normal on the other side") {
+    for (const double theta : {0.0, 20.0, 70.0, 89.0}) {
+        const glm::vec3 l = direction(theta, 33);
+        const glm::vec3 r = mirror_vector(kNormal, l);
+        CAPTURE(theta);
+        CHECK(glm::dot(r, r) == doctest::Approx(1.0));
+        CHECK(r.z == doctest::Approx(l.z));
+        CHECK(r.x == doctest::Approx(-l.x));
+        CHECK(r.y == doctest::Approx(-l.y));
+    }
+}
+
+TEST_CASE("A viewer in the mirror direction sees the whole highlight in both models") {
+    const glm::vec3 l = direction(40, 10);
+    const glm::vec3 v = mirror_vector(kNormal, l);
+    CHECK(sigma_phong(kNormal, l, v) == doctest::Approx(1.0));
+    CHECK(sigma_blinn(kNormal, l, v) == doctest::Approx(1.0));
+    CHECK(phong(kNormal, l, v, material(32)).specular.x == doctest::Approx(0.5));
+    CHECK(blinn_phong(kNormal, l, v, material(32)).specular.x == doctest::Approx(0.5));
+}
+
+TEST_CASE("In the plane of incidence the half vector's angle is half the mirror vector's") {
+    const glm::vec3 l = direction(20), v = direction(30, 180);  // 10 degrees beyond the mirror direction
+    CHECK(sigma_phong(kNormal, l, v) == doctest::Approx(std::cos(10.0 * 3.14159265358979 / 180.0)));
+    CHECK(sigma_blinn(kNormal, l, v) == doctest::Approx(std::cos(5.0 * 3.14159265358979 / 180.0)));
+}
+
+TEST_CASE("The matched exponent gives Blinn's highlight Phong's width near the normal") {
+    const double rho = 10.0 * 3.14159265358979 / 180.0;
+    for (const float h : {10.0f, 100.0f}) {
+        const double phong_value = std::pow(std::cos(rho), h);
+        const double blinn_value = std::pow(std::cos(0.5 * rho), blinn_exponent_matching_phong(h));
+        CHECK(blinn_value == doctest::Approx(phong_value).epsilon(0.02));  // ratio cos^4(rho/2)/cos(rho) = 1 + rho^4/8 to the h
+    }
+}
+
+TEST_CASE("Phong at 10 degrees from the mirror direction with exponent 32 by hand") {
+    const glm::vec3 l = direction(20), v = direction(30, 180);
+    CHECK(phong(kNormal, l, v, material(32)).specular.x == doctest::Approx(0.5 * 0.6129).epsilon(1e-3));  // cos(10)^32 = 0.6129
+}
+
+TEST_CASE("A surface that faces away from the light shows no highlight") {
+    const glm::vec3 l = direction(95), v = direction(80, 180);
+    CHECK(sigma_phong(kNormal, l, v) > 0.9f);
+    CHECK(phong(kNormal, l, v, material(4)).specular == glm::vec3(0.0f));
+    CHECK(blinn_phong(kNormal, l, v, material(4)).specular == glm::vec3(0.0f));
+}
+
+TEST_CASE("Exponent 0 lights every facing point and a huge one only the mirror direction") {
+    const glm::vec3 l = direction(30), v = direction(50, 200);
+    CHECK(phong(kNormal, l, v, material(0)).specular == glm::vec3(0.5f));
+    CHECK(phong(kNormal, l, v, material(1e6f)).specular.x == 0.0f);
+    CHECK(std::isfinite(phong(kNormal, l, mirror_vector(kNormal, l), material(1e6f)).specular.x));
+}
+
+TEST_CASE("The half vector of opposite directions is 0 and not a number nowhere") {
+    CHECK(half_vector({0, 0, 1}, {0, 0, -1}) == glm::vec3(0.0f));
+    CHECK(unit(glm::vec3(0.0f)) == glm::vec3(0.0f));
+}
+
+TEST_CASE("A batch gives the same bits as the formula point by point") {
+    for (const ReflectionModel model : {ReflectionModel::lambert, ReflectionModel::phong, ReflectionModel::blinn_phong,
+                                        ReflectionModel::cook_torrance}) {
+        Material m;
+        m.model = model;
+        m.phong = material(23.0f);
+        const MaterialSetup setup = prepare(m);
+        Light lamp;
+        lamp.type = LightType::point;
+        const LightSetup light = prepare(lamp);
+        LightingSetup frame;
+        frame.eye = {0.3f, -1.0f, 4.0f};
+        frame.lights = {&light, 1};
+        static raster::Fragments fragments;
+        static LightingChannels channels;
+        fragments.count = 37;  // not a multiple of the lanes
+        for (int i = 0; i < fragments.count; ++i) {
+            fragments.position.set(i, direction(2.0 * i, 11.0 * i));
+            fragments.normal.set(i, 1.7f * direction(2.0 * i + 3, 11.0 * i));
+        }
+        light_batch(fragments, setup, frame, channels);
+        for (int i = 0; i < fragments.count; ++i) {
+            const glm::vec3 p = fragments.position.at(i), n = unit(fragments.normal.at(i)), v = unit(frame.eye - p);
+            const LightSample s = sample(lamp, p);
+            ReflectedTerms terms = lambert(n, s.l, m.phong);
+            if (model == ReflectionModel::phong) terms = phong(n, s.l, v, m.phong);
+            if (model == ReflectionModel::blinn_phong) terms = blinn_phong(n, s.l, v, m.phong);
+            if (model == ReflectionModel::cook_torrance) terms = cook_torrance(n, s.l, v, setup.cook_torrance);
+            const glm::vec3 expected = glm::vec3(0.0f) + (glm::vec3(0.0f) + s.irradiance * terms.diffuse) +
+                                       (glm::vec3(0.0f) + s.irradiance * terms.specular);
+            CAPTURE(i);
+            CHECK(channels.radiance.at(i) == expected);
+        }
+    }
+}
