@@ -11,5 +11,6 @@ void add_render_command(CLI::App& app);
 void add_plan_command(CLI::App& app);
 void add_keys_command(CLI::App& app);
 void add_gallery_command(CLI::App& app);
+void add_bench_command(CLI::App& app);
 
 }  // namespace kreda::tools

@@ -79,6 +79,7 @@ int main(int argc, char** argv) {
         kreda::tools::add_plan_command(app);
         kreda::tools::add_keys_command(app);
         kreda::tools::add_gallery_command(app);
+        kreda::tools::add_bench_command(app);
         return run(app, argc, argv);
     } catch (const kreda::scene::UserError& error) {
         return complain(error.what(), kUserError);

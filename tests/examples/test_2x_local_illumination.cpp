@@ -1,6 +1,7 @@
 // The pictures of 20_lights to 25_exponents against numbers worked by hand.
 #include <algorithm>
 #include <cmath>
+#include <vector>
 
 #include <doctest/doctest.h>
 #include <glm/geometric.hpp>
@@ -73,17 +74,18 @@ TEST_CASE("21_lambert: the wall is 0.8 times the cosine") {
 
 TEST_CASE("22_phong_terms: the last picture is the sum of the four others in linear light") {
     const raster::Image sum = panel("22_phong_terms/terms.png", 3, 2, 4);
+    std::vector<raster::Image> term;
+    for (int i = 0; i < 4; ++i) term.push_back(panel("22_phong_terms/terms.png", 3, 2, i));
     int compared = 0;
     for (int y = 0; y < 70; ++y) {  // above the captions
         for (int x = 0; x < sum.width; ++x) {
             for (int c = 0; c < 3; ++c) {
                 float terms = 0.0f;
-                for (int i = 0; i < 4; ++i) terms += panel("22_phong_terms/terms.png", 3, 2, i).at(c, x, y);
+                for (const raster::Image& image : term) terms += image.at(c, x, y);
                 if (terms > 0.97f) continue;  // clipped at white
                 CHECK(std::abs(terms - sum.at(c, x, y)) < 5.0f * kHalfCode);  // five pictures of 8 bits each
                 ++compared;
             }
-            if (x % 8 != 0) x += 7;  // every eighth column is enough
         }
     }
     CHECK(compared > 1000);
