@@ -23,9 +23,9 @@ struct PendingClip {
 struct ChunkTask {
     std::uint32_t instance = 0;
     std::uint32_t part = 0;
-    std::uint32_t first_triangle = 0;   ///< in the mesh
+    std::uint32_t first_triangle = 0;  ///< in the mesh
     std::uint32_t triangle_count = 0;
-    std::uint32_t first_source = 0;     ///< number of the instance's first triangle over all instances
+    std::uint32_t first_source = 0;  ///< number of the instance's first triangle over all instances
 };
 
 struct Frame {
@@ -34,7 +34,8 @@ struct Frame {
     CullMode cull;
 };
 
-/// A mirroring transform (a negative scale) turns counter-clockwise into clockwise: what was the back is then the front.
+/// A mirroring transform (a negative scale) turns counter-clockwise into clockwise: what was the back is then the
+/// front.
 CullMode cull_mode_for(CullMode cull, const glm::mat4& world_from_object) {
     if (glm::determinant(glm::dmat3(world_from_object)) >= 0.0) return cull;
     if (cull == CullMode::back) return CullMode::front;
@@ -42,7 +43,9 @@ CullMode cull_mode_for(CullMode cull, const glm::mat4& world_from_object) {
 }
 
 /// First and last sample whose centre lies in [min, max] (1/256 sample), inside an image of `side` samples.
-struct SampleRange { std::int32_t first, last; };
+struct SampleRange {
+    std::int32_t first, last;
+};
 SampleRange samples_between(std::int32_t min, std::int32_t max, int side) {
     const std::int32_t first = (min + kPixelCentre - 1) >> kSubpixelBits;
     const std::int32_t last = (max - kPixelCentre) >> kSubpixelBits;
@@ -52,8 +55,8 @@ SampleRange samples_between(std::int32_t min, std::int32_t max, int side) {
 /// What becomes of a triangle.
 enum class Fate { drawn, degenerate, culled, outside };
 
-/// Orient a triangle clockwise (y down) and decide what becomes of it; if it is drawn, say which tiles its samples may lie in.
-/// The sign of the snapped area decides where it faces.
+/// Orient a triangle clockwise (y down) and decide what becomes of it; if it is drawn, say which tiles its samples may
+/// lie in. The sign of the snapped area decides where it faces.
 Fate judge(const VertexStreams& streams, const Frame& frame, const TileGrid& grid, ScreenTriangle& triangle,
            TriangleChunk::TileRange& tiles) {
     const ScreenVertex* const a = &streams.screen[triangle.vertex[0]];
@@ -67,8 +70,10 @@ Fate judge(const VertexStreams& streams, const Frame& frame, const TileGrid& gri
         std::swap(triangle.vertex[1], triangle.vertex[2]);
         std::swap(b, c);
     }
-    const SampleRange x = samples_between(std::min({a->x, b->x, c->x}), std::max({a->x, b->x, c->x}), frame.viewport.width);
-    const SampleRange y = samples_between(std::min({a->y, b->y, c->y}), std::max({a->y, b->y, c->y}), frame.viewport.height);
+    const SampleRange x =
+        samples_between(std::min({a->x, b->x, c->x}), std::max({a->x, b->x, c->x}), frame.viewport.width);
+    const SampleRange y =
+        samples_between(std::min({a->y, b->y, c->y}), std::max({a->y, b->y, c->y}), frame.viewport.height);
     const bool no_centre = (x.first > x.last) | (y.first > y.last);
     if (no_centre) return Fate::outside;
     const bool one_centre = (x.first == x.last) & (y.first == y.last);
@@ -90,8 +95,8 @@ struct DrawList {
     }
 };
 
-/// The place behind the last triangle. What is written there stays only if draw_or_count() finds that it is to be drawn.
-/// (Written in place, field by field: a copy would wait for its parts to reach memory.)
+/// The place behind the last triangle. What is written there stays only if draw_or_count() finds that it is to be
+/// drawn. (Written in place, field by field: a copy would wait for its parts to reach memory.)
 ScreenTriangle& candidate(DrawList& list) {
     return list.triangles[list.count];
 }
@@ -100,10 +105,19 @@ ScreenTriangle& candidate(DrawList& list) {
 void draw_or_count(const VertexStreams& streams, const Frame& frame, const TileGrid& grid, DrawList& list,
                    TriangleCounts& counts) {
     switch (judge(streams, frame, grid, candidate(list), list.tiles[list.count])) {
-        case Fate::drawn: ++counts.drawn; ++list.count; return;
-        case Fate::degenerate: ++counts.degenerate; return;
-        case Fate::culled: ++counts.culled; return;
-        case Fate::outside: ++counts.outside; return;
+        case Fate::drawn:
+            ++counts.drawn;
+            ++list.count;
+            return;
+        case Fate::degenerate:
+            ++counts.degenerate;
+            return;
+        case Fate::culled:
+            ++counts.culled;
+            return;
+        case Fate::outside:
+            ++counts.outside;
+            return;
     }
 }
 
@@ -127,7 +141,8 @@ ClipPolygon clip_again(const MeshInstance& instance, const Frame& frame, const s
 
 /// Set up the triangles of one chunk that need no clipping; the others are put aside in `pending`.
 void setup_chunk(const ChunkTask& task, const MeshInstance& instance, const Frame& frame, const TileGrid& grid,
-                 const VertexStreams& streams, DrawList& list, TriangleChunk& chunk, std::vector<PendingClip>& pending) {
+                 const VertexStreams& streams, DrawList& list, TriangleChunk& chunk,
+                 std::vector<PendingClip>& pending) {
     chunk.counts = {};
     chunk.counts.input = task.triangle_count;
     chunk.instance = task.instance;
@@ -162,14 +177,14 @@ template <class Attribute>
 void append_weighted(std::vector<Attribute>& stream, const std::array<std::uint32_t, 3>& corner,
                      const glm::vec3& weights) {
     if (stream.empty()) return;
-    const Attribute value = weights.x * stream[corner[0]] + weights.y * stream[corner[1]] +
-                            weights.z * stream[corner[2]];
+    const Attribute value =
+        weights.x * stream[corner[0]] + weights.y * stream[corner[1]] + weights.z * stream[corner[2]];
     stream.push_back(value);
 }
 
 /// A new vertex of the clipper: its place on the screen and its attributes.
-void append_vertex(const ClipVertex& vertex, const std::array<std::uint32_t, 3>& corner,
-                            const Viewport& viewport, VertexStreams& streams) {
+void append_vertex(const ClipVertex& vertex, const std::array<std::uint32_t, 3>& corner, const Viewport& viewport,
+                   VertexStreams& streams) {
     streams.screen.push_back(to_screen(vertex.position, viewport));
     append_weighted(streams.position_world, corner, vertex.weights);
     append_weighted(streams.normal_world, corner, vertex.weights);
@@ -178,8 +193,9 @@ void append_vertex(const ClipVertex& vertex, const std::array<std::uint32_t, 3>&
     append_weighted(streams.fog, corner, vertex.weights);
 }
 
-/// The corner from which a fan of triangles covers the polygon without folding over. It is convex before the snap to 1/256
-/// sample; a sliver may come out of it slightly concave, and then a fan from the wrong corner covers samples twice.
+/// The corner from which a fan of triangles covers the polygon without folding over. It is convex before the snap to
+/// 1/256 sample; a sliver may come out of it slightly concave, and then a fan from the wrong corner covers samples
+/// twice.
 int fan_apex(const ScreenVertex* corner, int count) {
     for (int apex = 0; apex < count; ++apex) {
         bool any_left = false, any_right = false;
@@ -201,7 +217,8 @@ void draw_fan(const PendingClip& clip, const Frame& frame, const TileGrid& grid,
               TriangleCounts& counts) {
     const auto first = static_cast<std::uint32_t>(streams.screen.size());
     const int count = clip.polygon.count;
-    for (int i = 0; i < count; ++i) append_vertex(clip.polygon.vertex[i], clip.triangle.vertex, frame.viewport, streams);
+    for (int i = 0; i < count; ++i)
+        append_vertex(clip.polygon.vertex[i], clip.triangle.vertex, frame.viewport, streams);
     const int apex = fan_apex(&streams.screen[first], count);
     list.make_room(static_cast<std::uint32_t>(count) + 1);
     for (int i = 1; i + 1 < count; ++i) {
@@ -312,8 +329,8 @@ TriangleCounts setup_triangles(const std::vector<MeshInstance>& instances, const
         DrawList list;
 #pragma omp for schedule(dynamic)
         for (int i = 0; i < chunk_count; ++i) {
-            setup_chunk(tasks[i], instances[tasks[i].instance], frame_of(tasks[i]), set.grid, streams, list, set.chunks[i],
-                        pending[i]);
+            setup_chunk(tasks[i], instances[tasks[i].instance], frame_of(tasks[i]), set.grid, streams, list,
+                        set.chunks[i], pending[i]);
         }
     }
     // Clipped triangles append vertices to the streams: one thread, in order, so that their numbers never change.

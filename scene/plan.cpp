@@ -27,9 +27,12 @@ Sizes measure(const Scene& scene) {
 
 raster::CullMode cull_mode(Cull cull) {
     switch (cull) {
-        case Cull::back: return raster::CullMode::back;
-        case Cull::front: return raster::CullMode::front;
-        case Cull::none: return raster::CullMode::none;
+        case Cull::back:
+            return raster::CullMode::back;
+        case Cull::front:
+            return raster::CullMode::front;
+        case Cull::none:
+            return raster::CullMode::none;
     }
     return raster::CullMode::back;
 }
@@ -57,42 +60,53 @@ raster::FragmentNeeds fragment_needs(const RenderPlan& plan) {
 }
 
 void plan_vertices(const Scene& scene, const Sizes& sizes, RenderPlan& plan) {
-    PlannedPass pass{"vertices", "object -> world -> clip -> screen for " + std::to_string(sizes.vertices) + " vertices", {}};
+    PlannedPass pass{
+        "vertices", "object -> world -> clip -> screen for " + std::to_string(sizes.vertices) + " vertices", {}};
     pass.buffers.push_back({"screen", sizes.vertices * sizeof(raster::ScreenVertex)});
     if (plan.vertex.position_world) pass.buffers.push_back({"position_world", sizes.vertices * sizeof(glm::vec3)});
     if (plan.vertex.normal_world) pass.buffers.push_back({"normal_world", sizes.vertices * sizeof(glm::vec3)});
     plan.passes.push_back(pass);
     if (plan.frequency == ShadingFrequency::gouraud) {
-        plan.passes.push_back({"light vertices",
-                               "shading.frequency = \"gouraud\": " + std::to_string(scene.lights.size()) + " lights at every vertex",
-                               {{"color", sizes.vertices * sizeof(glm::vec3)}}});
+        plan.passes.push_back(
+            {"light vertices",
+             "shading.frequency = \"gouraud\": " + std::to_string(scene.lights.size()) + " lights at every vertex",
+             {{"color", sizes.vertices * sizeof(glm::vec3)}}});
     }
     if (plan.fog_at_vertices) {
-        plan.passes.push_back({"fog at vertices", "fog.frequency = \"vertex\"", {{"fog", sizes.vertices * sizeof(float)}}});
+        plan.passes.push_back(
+            {"fog at vertices", "fog.frequency = \"vertex\"", {{"fog", sizes.vertices * sizeof(float)}}});
     }
 }
 
 void plan_triangles(const Sizes& sizes, RenderPlan& plan) {
-    const std::uint64_t bytes = sizes.triangles * (sizeof(raster::ScreenTriangle) + sizeof(raster::TriangleChunk::TileRange));
-    plan.passes.push_back({"triangles", "cull, clip and sort " + std::to_string(sizes.triangles) + " triangles into tiles",
+    const std::uint64_t bytes =
+        sizes.triangles * (sizeof(raster::ScreenTriangle) + sizeof(raster::TriangleChunk::TileRange));
+    plan.passes.push_back({"triangles",
+                           "cull, clip and sort " + std::to_string(sizes.triangles) + " triangles into tiles",
                            {{"triangles and bins, at most", bytes + 2 * sizes.triangles}}});
     if (plan.frequency == ShadingFrequency::flat) {
-        plan.passes.push_back({"light triangles", "shading.frequency = \"flat\": once a triangle, at its centroid",
+        plan.passes.push_back({"light triangles",
+                               "shading.frequency = \"flat\": once a triangle, at its centroid",
                                {{"flat color", sizes.triangles * sizeof(glm::vec3)}}});
     }
 }
 
 void plan_tiles(const Scene& scene, RenderPlan& plan) {
-    plan.passes.push_back({"visibility", "which triangle is nearest, sample by sample",
+    plan.passes.push_back({"visibility",
+                           "which triangle is nearest, sample by sample",
                            {{"depth and triangle of one tile, a thread", sizeof(raster::TileVisibility)}}});
     if (plan.fragment.any()) {
-        plan.passes.push_back({"interpolate", std::string("attributes between the vertices, ") +
-                                                  (plan.interpolation == raster::AttributeInterpolation::affine ? "affine" : "perspective-correct"),
-                               {{"fragments of one batch, a thread", sizeof(raster::Fragments)}}});
+        plan.passes.push_back(
+            {"interpolate",
+             std::string("attributes between the vertices, ") +
+                 (plan.interpolation == raster::AttributeInterpolation::affine ? "affine" : "perspective-correct"),
+             {{"fragments of one batch, a thread", sizeof(raster::Fragments)}}});
     }
     if (plan.frequency == ShadingFrequency::phong) {
-        plan.passes.push_back({"light pixels", "shading.frequency = \"phong\": " + std::to_string(scene.lights.size()) + " lights at every sample",
-                               {{"lighting channels of one batch, a thread", sizeof(lighting::LightingChannels)}}});
+        plan.passes.push_back(
+            {"light pixels",
+             "shading.frequency = \"phong\": " + std::to_string(scene.lights.size()) + " lights at every sample",
+             {{"lighting channels of one batch, a thread", sizeof(lighting::LightingChannels)}}});
     }
     if (plan.fog_at_pixels) plan.passes.push_back({"fog at pixels", "fog.frequency = \"pixel\"", {}});
     if (plan.fog_at_vertices || plan.fog_at_pixels) {
@@ -111,9 +125,12 @@ void list_left_out(RenderPlan& plan) {
         if (absent) plan.left_out.push_back({name, why_not});
     };
     const bool no_fog = !plan.fog_at_pixels && !plan.fog_at_vertices;
-    left_out(plan.frequency != ShadingFrequency::gouraud, "light vertices", "only shading.frequency = \"gouraud\" lights vertices");
-    left_out(plan.frequency != ShadingFrequency::flat, "light triangles", "only shading.frequency = \"flat\" lights triangles");
-    left_out(plan.frequency != ShadingFrequency::phong, "light pixels", "only shading.frequency = \"phong\" lights pixels");
+    left_out(plan.frequency != ShadingFrequency::gouraud, "light vertices",
+             "only shading.frequency = \"gouraud\" lights vertices");
+    left_out(plan.frequency != ShadingFrequency::flat, "light triangles",
+             "only shading.frequency = \"flat\" lights triangles");
+    left_out(plan.frequency != ShadingFrequency::phong, "light pixels",
+             "only shading.frequency = \"phong\" lights pixels");
     left_out(no_fog, "fog", "fog.mode = \"none\"");
 }
 

@@ -25,7 +25,9 @@ namespace fs = std::filesystem;
 
 std::string text_of(const fs::path& path) {
     std::ifstream file(path);
-    if (!file) throw scene::UserError({path.string()}, "cannot be opened; --workloads names the folder with W1.toml and W1.mesa");
+    if (!file)
+        throw scene::UserError({path.string()},
+                               "cannot be opened; --workloads names the folder with W1.toml and W1.mesa");
     return {std::istreambuf_iterator<char>(file), {}};
 }
 
@@ -42,8 +44,8 @@ std::string output_of(const std::string& command) {
 /// One turn of Mesa's peer program.
 double time_mesa(const BenchOptions& options, std::string arguments, const std::string& format) {
     std::replace(arguments.begin(), arguments.end(), '\n', ' ');
-    const std::string command = "LP_NUM_THREADS=" + std::to_string(options.threads) + " '" + options.mesa + "' " + arguments +
-                                " --frames " + std::to_string(options.frames) + " --format " + format;
+    const std::string command = "LP_NUM_THREADS=" + std::to_string(options.threads) + " '" + options.mesa + "' " +
+                                arguments + " --frames " + std::to_string(options.frames) + " --format " + format;
     const nlohmann::json line = nlohmann::json::parse(output_of(command), nullptr, false);
     if (line.is_discarded()) throw scene::UserError("no JSON came from: " + command);
     return line.at("ms_median").get<double>();
@@ -114,8 +116,8 @@ void print_growth(const char* what, const char* unit, const std::vector<Point>& 
     std::printf("\n| %s | ms | ms a %s |\n| --- | --- | --- |\n", what, unit);
     for (const Point& p : points) std::printf("| %g | %.2f | %.3g |\n", p.size, p.ms, p.ms / p.size);
     const Point &first = points[points.size() - 2], &last = points.back();
-    std::printf("\nSlope between the last two: %.3g ms a %s; exponent over all: %.2f\n", (last.ms - first.ms) / (last.size - first.size),
-                unit, exponent(points));
+    std::printf("\nSlope between the last two: %.3g ms a %s; exponent over all: %.2f\n",
+                (last.ms - first.ms) / (last.size - first.size), unit, exponent(points));
 }
 
 }  // namespace
@@ -135,8 +137,10 @@ double time_frames(const scene::Scene& scene, int frames, int threads) {
 }
 
 void compare_with_mesa(const BenchOptions& options) {
-    std::printf("%d threads, %d rounds in turn, median of %d frames each; milliseconds: median (least..greatest) of the rounds\n\n",
-                options.threads, options.rounds, options.frames);
+    std::printf(
+        "%d threads, %d rounds in turn, median of %d frames each; milliseconds: median (least..greatest) of the "
+        "rounds\n\n",
+        options.threads, options.rounds, options.frames);
     std::printf("| workload | kreda | llvmpipe, its faster format | ratio |\n| --- | --- | --- | --- |\n");
     for (const char* name : {"W1", "W2", "W3", "W4", "W5", "W6", "W7"}) compare_workload(options, name);
 }
@@ -154,7 +158,8 @@ void measure_growth(int frames, int threads) {
     }
     print_growth("thousand triangles", "thousand", triangles);
     for (const int count : {1, 4, 16, 64}) {
-        lights.push_back({static_cast<double>(count), time_frames(growth_scene("sphere", 64, 1920, 1080, count), frames, threads)});
+        lights.push_back(
+            {static_cast<double>(count), time_frames(growth_scene("sphere", 64, 1920, 1080, count), frames, threads)});
     }
     print_growth("lights", "light", lights);
     std::printf("\n| threads | ms |\n| --- | --- |\n");
@@ -163,7 +168,8 @@ void measure_growth(int frames, int threads) {
     }
     rusage usage{};
     getrusage(RUSAGE_SELF, &usage);
-    std::printf("\nPeak memory of the whole run (8.4 megapixels; 4 million triangles): %.0f MB\n", static_cast<double>(usage.ru_maxrss) / 1024.0);
+    std::printf("\nPeak memory of the whole run (8.4 megapixels; 4 million triangles): %.0f MB\n",
+                static_cast<double>(usage.ru_maxrss) / 1024.0);
 }
 
 }  // namespace kreda::tools

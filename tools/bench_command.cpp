@@ -10,18 +10,28 @@
 namespace kreda::tools {
 
 void add_bench_command(CLI::App& app) {
-    CLI::App* command = app.add_subcommand("bench", "Time workloads, beside Mesa's llvmpipe in turn, or against their size");
+    CLI::App* command =
+        app.add_subcommand("bench", "Time workloads, beside Mesa's llvmpipe in turn, or against their size");
     const auto options = std::make_shared<BenchOptions>();
     const auto growth = std::make_shared<bool>(false);
-    command->add_option("--workloads", options->workloads, "The folder with W1.toml, W1.mesa, ... to compare")->type_name("DIR");
-    command->add_option("--mesa", options->mesa, "The program mesa_peer; without it only kreda is timed")->type_name("PROGRAM");
+    command->add_option("--workloads", options->workloads, "The folder with W1.toml, W1.mesa, ... to compare")
+        ->type_name("DIR");
+    command->add_option("--mesa", options->mesa, "The program mesa_peer; without it only kreda is timed")
+        ->type_name("PROGRAM");
     command->add_flag("--growth", *growth, "Time against pixels, triangles, lights and threads");
-    command->add_option("--rounds", options->rounds, "How often the programs take turns")->check(CLI::Range(1, 1000))->type_name("N");
-    command->add_option("--frames", options->frames, "Frames a turn; its median counts")->check(CLI::Range(1, 10000))->type_name("N");
-    command->add_option("--threads", options->threads, "Threads of each program")->check(CLI::Range(1, 256))->type_name("N");
+    command->add_option("--rounds", options->rounds, "How often the programs take turns")
+        ->check(CLI::Range(1, 1000))
+        ->type_name("N");
+    command->add_option("--frames", options->frames, "Frames a turn; its median counts")
+        ->check(CLI::Range(1, 10000))
+        ->type_name("N");
+    command->add_option("--threads", options->threads, "Threads of each program")
+        ->check(CLI::Range(1, 256))
+        ->type_name("N");
     command->callback([options, growth] {
         if (options->workloads.empty() && !*growth) {
-            throw scene::UserError("kreda bench: say what to time: --workloads DIR, or --growth (see kreda bench --help)");
+            throw scene::UserError(
+                "kreda bench: say what to time: --workloads DIR, or --growth (see kreda bench --help)");
         }
         if (!options->workloads.empty()) compare_with_mesa(*options);
         if (*growth) measure_growth(options->frames, options->threads);

@@ -32,7 +32,8 @@ scene::Scene make_scene(glm::ivec2 size, lighting::FogMode mode) {
     const int ground = add_shape(scene, "plane", 1, {0.0f, -0.6f, 0.0f}, matte(srgb(0x4d5b48)));
     scene.objects[ground].world_from_object[0][0] = scene.objects[ground].world_from_object[2][2] = 60.0f;
     for (int i = 0; i < 8; ++i) {
-        const int ball = add_shape(scene, "sphere", 48, {0.0f, 0.0f, -1.6f * static_cast<float>(i)}, shiny(kRed, 40.0f));
+        const int ball =
+            add_shape(scene, "sphere", 48, {0.0f, 0.0f, -1.6f * static_cast<float>(i)}, shiny(kRed, 40.0f));
         for (int axis = 0; axis < 3; ++axis) scene.objects[ball].world_from_object[axis] *= 0.6f;
     }
     scene.lights = {directional_light({0.5f, -1.0f, -0.6f})};
@@ -47,12 +48,15 @@ Image draw_curves(glm::ivec2 size, int picture_height) {
     };
     draw_line(board, place(0.0f, 0.0f), place(14.0f, 0.0f), 1.5f, kDust);
     draw_line(board, place(0.0f, 0.0f), place(0.0f, 1.0f), 1.5f, kDust);
-    for (int i = 0; i < 140; ++i) {
-        const float z = 0.1f * static_cast<float>(i), next = z + 0.1f;
-        draw_line(board, place(z, lighting::fog_linear(z, kStart, kEnd)), place(next, lighting::fog_linear(next, kStart, kEnd)), 2.5f, kYellow);
-        draw_line(board, place(z, lighting::fog_exp(z, kDensity)), place(next, lighting::fog_exp(next, kDensity)), 2.5f, kBlue);
-        draw_line(board, place(z, lighting::fog_exp2(z, kDensity)), place(next, lighting::fog_exp2(next, kDensity)), 2.5f, kOrange);
-    }
+    const auto draw_curve = [&](const glm::vec3& color, auto f) {
+        for (int i = 0; i < 140; ++i) {
+            const float z = 0.1f * static_cast<float>(i), next = z + 0.1f;
+            draw_line(board, place(z, f(z)), place(next, f(next)), 2.5f, color);
+        }
+    };
+    draw_curve(kYellow, [](float z) { return lighting::fog_linear(z, kStart, kEnd); });
+    draw_curve(kBlue, [](float z) { return lighting::fog_exp(z, kDensity); });
+    draw_curve(kOrange, [](float z) { return lighting::fog_exp2(z, kDensity); });
     const int scale = text_scale(picture_height);
     const int x = size.x * 6 / 10;
     draw_text(board, x, size.y / 12, "f: linear", kYellow, scale);

@@ -8,12 +8,23 @@
 
 #include <doctest/doctest.h>
 
+#include "examples/draw.hpp"
+#include "raster/film.hpp"
 #include "scene/image_file.hpp"
 
 namespace kreda::tests {
 
 raster::Image golden(const std::string& file) {
     return scene::read_image(std::string(KREDA_SOURCE_DIR) + "/tests/golden/" + file);
+}
+
+raster::Image linear_panel(const std::string& file, int columns, int rows, int index) {
+    constexpr int kGap = 4;  // between the panels of a montage
+    const glm::ivec2 size = examples::panel_size(320, 180, columns, rows);
+    const glm::ivec2 corner = glm::ivec2(index % columns, index / columns) * (size + kGap);
+    raster::Image image = examples::crop(golden(file), corner.x, corner.y, size.x, size.y);
+    for (float& value : image.values) value = raster::linear_from_srgb(value);
+    return image;
 }
 
 std::vector<std::string> example_names() {

@@ -12,6 +12,9 @@ namespace kreda::tests {
 /// of them is true of what the example draws.
 [[nodiscard]] raster::Image golden(const std::string& file);
 
+/// Panel number `index` (row by row) of a golden montage of 320 x 180, decoded to linear light.
+[[nodiscard]] raster::Image linear_panel(const std::string& file, int columns, int rows, int index);
+
 /// Names of all examples, "10_triangle", sorted.
 [[nodiscard]] std::vector<std::string> example_names();
 

@@ -16,14 +16,6 @@ using namespace kreda::tests;
 
 namespace {
 
-raster::Image panel(const std::string& file, int columns, int rows, int index) {
-    const glm::ivec2 size = examples::panel_size(320, 180, columns, rows);
-    const glm::ivec2 corner = glm::ivec2(index % columns, index / columns) * (size + 4);
-    raster::Image image = examples::crop(golden(file), corner.x, corner.y, size.x, size.y);
-    for (float& value : image.values) value = raster::linear_from_srgb(value);
-    return image;
-}
-
 double difference(const raster::Image& a, const raster::Image& b) {
     double sum = 0.0;
     for (int y = 0; y < a.height - 20; ++y) {  // above the captions
@@ -44,12 +36,14 @@ TEST_CASE("30_fog: the far ground has the colour of the fog and linear fog reach
     const glm::vec3 mist = examples::srgb(0x9fb2bd);
     for (int i = 0; i < 3; ++i) {
         CAPTURE(i);
-        CHECK(glm::distance(panel("30_fog/fog.png", 2, 2, i).rgb(80, 2), mist) < 0.01f);  // one code of 255 is 0.006 here
+        CHECK(glm::distance(linear_panel("30_fog/fog.png", 2, 2, i).rgb(80, 2), mist) <
+              0.01f);  // one code of 255 is 0.006 here
     }
 }
 
 TEST_CASE("31_fog_distance: radial fog does not care where the camera looks and planar fog does") {
-    // The point of the red ball that is nearest to the eye, before and after a turn by 40 degrees. The eye stays where it is.
+    // The point of the red ball that is nearest to the eye, before and after a turn by 40 degrees. The eye stays where
+    // it is.
     const glm::vec3 eye(0.0f, 0.6f, 0.0f), ball(0.0f, 0.0f, -5.0f);
     const glm::vec3 p = ball + 0.5f * glm::normalize(eye - ball);
     const auto color = [&](int index, double turn_deg) {
@@ -58,21 +52,23 @@ TEST_CASE("31_fog_distance: radial fog does not care where the camera looks and 
         const double turn = glm::radians(turn_deg);
         camera.target = eye + glm::vec3(std::sin(turn), -0.06, -std::cos(turn));
         camera.vertical_fov_deg = 60.0f;
-        const raster::Image image = panel("31_fog_distance/distance.png", 2, 2, index);
-        const glm::vec4 clip = raster::clip_from_world(camera, float(image.width) / float(image.height)) * glm::vec4(p, 1.0f);
+        const raster::Image image = linear_panel("31_fog_distance/distance.png", 2, 2, index);
+        const glm::vec4 clip =
+            raster::clip_from_world(camera, float(image.width) / float(image.height)) * glm::vec4(p, 1.0f);
         const int x = static_cast<int>((clip.x / clip.w + 1.0f) * 0.5f * float(image.width));
         const int y = static_cast<int>((1.0f - clip.y / clip.w) * 0.5f * float(image.height));
         return image.rgb(x, y);
     };
     CHECK(glm::distance(color(2, 0), color(3, 40)) < 0.02f);  // the pixel grid falls a little differently on the ball
     CHECK(glm::distance(color(0, 0), color(1, 40)) > 0.06f);
-    CHECK(5.0 * std::cos(glm::radians(40.0)) == doctest::Approx(documented_number("31_fog_distance", "planar")).epsilon(1e-3));
+    CHECK(5.0 * std::cos(glm::radians(40.0)) ==
+          doctest::Approx(documented_number("31_fog_distance", "planar")).epsilon(1e-3));
 }
 
 TEST_CASE("32_fog_per_vertex: a fine ground comes near to fog per pixel and a coarse one does not") {
-    const raster::Image coarse = panel("32_fog_per_vertex/frequency.png", 3, 1, 0);
-    const raster::Image fine = panel("32_fog_per_vertex/frequency.png", 3, 1, 1);
-    const raster::Image pixel = panel("32_fog_per_vertex/frequency.png", 3, 1, 2);
+    const raster::Image coarse = linear_panel("32_fog_per_vertex/frequency.png", 3, 1, 0);
+    const raster::Image fine = linear_panel("32_fog_per_vertex/frequency.png", 3, 1, 1);
+    const raster::Image pixel = linear_panel("32_fog_per_vertex/frequency.png", 3, 1, 2);
     CHECK(difference(fine, pixel) < 0.25 * difference(coarse, pixel));
 }
 
