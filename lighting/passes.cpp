@@ -92,29 +92,12 @@ KREDA_BATCH_LOOP void add_ward(int lanes, const PhongMaterial& material, Lightin
     for (int i = 0; i < lanes; ++i) add_terms(c, i, ward(c.n.at(i), c.l.at(i), c.v.at(i), m));
 }
 
-KREDA_BATCH_LOOP void sum_terms(int lanes, LightingChannels& c) {
+KREDA_BATCH_LOOP void shadow_irradiance(int lanes, LightingChannels& c) {
+    for (int i = 0; i < lanes; ++i) c.irradiance.set(i, c.shadow.at(i) * c.irradiance.at(i));
+}
+
+KREDA_BATCH_LOOP void add_up(int lanes, LightingChannels& c) {
     for (int i = 0; i < lanes; ++i) c.radiance.set(i, c.ambient.at(i) + c.diffuse.at(i) + c.specular.at(i));
-}
-
-void sample_light(const Fragments& f, int lanes, const LightSetup& light, LightingChannels& c) {
-    switch (light.type) {
-        case LightType::directional: return sample_directional_light(lanes, light, c);
-        case LightType::point: return sample_point_light(f, lanes, light, c);
-        case LightType::spot: return sample_spot_light(f, lanes, light, c);
-    }
-}
-
-void add_reflection(int count, const MaterialSetup& setup, LightingChannels& c) {
-    const int lanes = lanes_for(count);
-    const PhongMaterial& m = setup.material.phong;
-    switch (setup.material.model) {
-        case ReflectionModel::unlit: return;
-        case ReflectionModel::lambert: return add_lambert(lanes, m, c);
-        case ReflectionModel::phong: return add_phong(lanes, m, c);
-        case ReflectionModel::blinn_phong: return add_blinn_phong(lanes, m, c);
-        case ReflectionModel::ward: return add_ward(lanes, m, c);
-        case ReflectionModel::cook_torrance: return add_cook_torrance(count, setup.cook_torrance, c);
-    }
 }
 
 /// What a surface shows without any light: s_A m_A + m_E; the microfacet model knows no ambient light.
@@ -171,23 +154,47 @@ MaterialSetup prepare(const Material& material) {
     return setup;
 }
 
-void light_batch(const Fragments& fragments, const MaterialSetup& material, const LightingSetup& setup,
-                 LightingChannels& channels) {
+void start_lighting(const Fragments& fragments, const MaterialSetup& material, const LightingSetup& setup,
+                    LightingChannels& channels) {
     const int lanes = lanes_for(fragments.count);
     const ReflectionModel model = material.material.model;
     start_terms(lanes, unlit_radiance(material.material, setup.ambient), channels);
-    if (model != ReflectionModel::unlit) {
-        surface_directions(fragments, lanes, setup, channels);
-        if (setup.orthographic) same_view_everywhere(lanes, -setup.forward, channels);
-        if (model == ReflectionModel::cook_torrance) {
-            fill_surface(fragments.count, material.cook_torrance, channels.microfacet);
-        }
-        for (const LightSetup& light : setup.lights) {
-            sample_light(fragments, lanes, light, channels);
-            add_reflection(fragments.count, material, channels);
-        }
+    if (model == ReflectionModel::unlit) return;
+    surface_directions(fragments, lanes, setup, channels);
+    if (setup.orthographic) same_view_everywhere(lanes, -setup.forward, channels);
+    if (model == ReflectionModel::cook_torrance) {
+        fill_surface(fragments.count, material.cook_torrance, channels.microfacet);
     }
-    sum_terms(lanes, channels);
+}
+
+void sample_light(const Fragments& fragments, const LightSetup& light, LightingChannels& channels) {
+    const int lanes = lanes_for(fragments.count);
+    switch (light.type) {
+        case LightType::directional: return sample_directional_light(lanes, light, channels);
+        case LightType::point: return sample_point_light(fragments, lanes, light, channels);
+        case LightType::spot: return sample_spot_light(fragments, lanes, light, channels);
+    }
+}
+
+void shadow_light(int count, LightingChannels& channels) {
+    shadow_irradiance(lanes_for(count), channels);
+}
+
+void add_reflection(int count, const MaterialSetup& setup, LightingChannels& c) {
+    const int lanes = lanes_for(count);
+    const PhongMaterial& m = setup.material.phong;
+    switch (setup.material.model) {
+        case ReflectionModel::unlit: return;
+        case ReflectionModel::lambert: return add_lambert(lanes, m, c);
+        case ReflectionModel::phong: return add_phong(lanes, m, c);
+        case ReflectionModel::blinn_phong: return add_blinn_phong(lanes, m, c);
+        case ReflectionModel::ward: return add_ward(lanes, m, c);
+        case ReflectionModel::cook_torrance: return add_cook_torrance(count, setup.cook_torrance, c);
+    }
+}
+
+void sum_terms(int count, LightingChannels& channels) {
+    add_up(lanes_for(count), channels);
 }
 
 void copy_color(const Fragments& fragments, LightingChannels& channels) {

@@ -32,12 +32,27 @@ struct LightingSetup {
     Fog fog;
 };
 
-/// The lecture's equation for all points of the batch:  radiance = ambient + diffuse + specular.
-/// Reads fragments.position and fragments.normal.
-void light_batch(const raster::Fragments& fragments, const MaterialSetup& material, const LightingSetup& setup,
-                 LightingChannels& channels);
+// The lecture's equation,  radiance = ambient + sum over lights of shadow (diffuse + specular),  is these five in turn: start_lighting;
+// for each light sample_light, shadow_light where it casts a shadow, add_reflection; sum_terms. scene/shade.cpp runs them.
 
-/// Instead of light_batch where the points were lit before (at vertices, once a triangle): radiance = fragments.color.
+/// What the lights will need: n, v, the material at every point; ambient = s_A m_A + m_E; nothing reflected yet.
+/// Reads fragments.position and fragments.normal.
+void start_lighting(const raster::Fragments& fragments, const MaterialSetup& material, const LightingSetup& setup,
+                    LightingChannels& channels);
+
+/// l and irradiance of one light at every point.
+void sample_light(const raster::Fragments& fragments, const LightSetup& light, LightingChannels& channels);
+
+/// What a shadow leaves of that light:  irradiance = shadow x irradiance.
+void shadow_light(int count, LightingChannels& channels);
+
+/// Add what the material reflects of that light to diffuse and specular.
+void add_reflection(int count, const MaterialSetup& material, LightingChannels& channels);
+
+/// radiance = ambient + diffuse + specular
+void sum_terms(int count, LightingChannels& channels);
+
+/// Instead of all that where the points were lit before (at vertices, once a triangle): radiance = fragments.color.
 void copy_color(const raster::Fragments& fragments, LightingChannels& channels);
 
 /// The fog factor of each point from its position.

@@ -5,6 +5,9 @@
 #include <glm/geometric.hpp>
 #include <glm/matrix.hpp>
 
+#include "scene/render.hpp"
+#include "scene/shade.hpp"
+
 namespace kreda::scene {
 
 namespace {
@@ -43,15 +46,15 @@ VertexRange vertices_of_part(const raster::Mesh& mesh, const raster::MeshPart& p
     return {*least, *greatest + 1};
 }
 
-void light_range(const lighting::MaterialSetup& material, const lighting::LightingSetup& setup, std::uint32_t first,
-                 int total, raster::VertexStreams& streams) {
+void light_range(const Frame& frame, std::uint32_t material, std::uint32_t first, int total) {
+    raster::VertexStreams& streams = frame.buffers.streams;
     for_each_batch(total, [&](int begin, int count, LightingScratch& scratch) {
         const std::uint32_t from = first + static_cast<std::uint32_t>(begin);
         for (int i = 0; i < count; ++i) {
             scratch.points.position.set(i, streams.position_world[from + i]);
             scratch.points.normal.set(i, streams.normal_world[from + i]);
         }
-        light_batch(scratch.points, material, setup, scratch.channels);
+        shade_points(frame, scratch.points, material, scratch.channels);
         for (int i = 0; i < count; ++i) streams.color[from + i] = scratch.channels.radiance.at(i);
     });
 }
@@ -75,44 +78,45 @@ void set_flat_point(const RenderBuffers& buffers, const raster::TriangleChunk& c
 }
 
 /// Flat colours of one chunk of triangles (they share a material).
-void light_chunk(const RenderPlan& plan, const lighting::LightingSetup& setup, const RenderBuffers& buffers,
-                 const raster::TriangleChunk& chunk, std::vector<glm::vec3>& color, LightingScratch& scratch) {
+void light_chunk(const Frame& frame, const raster::TriangleChunk& chunk, std::vector<glm::vec3>& color,
+                 LightingScratch& scratch) {
     const int total = static_cast<int>(chunk.triangles.size());
-    const float orientation = orientation_of(buffers.instances[chunk.instance].world_from_object);
+    const float orientation = orientation_of(frame.buffers.instances[chunk.instance].world_from_object);
     color.resize(chunk.triangles.size());
     for (int begin = 0; begin < total; begin += kBatchCapacity) {
         const int count = std::min(kBatchCapacity, total - begin);
         for (int i = 0; i < count; ++i) {
-            set_flat_point(buffers, chunk, chunk.triangles[begin + i], orientation, i, scratch.points);
+            set_flat_point(frame.buffers, chunk, chunk.triangles[begin + i], orientation, i, scratch.points);
         }
         scratch.points.count = count;
-        light_batch(scratch.points, plan.materials[chunk.triangles[0].material], setup, scratch.channels);
+        shade_points(frame, scratch.points, chunk.triangles[0].material, scratch.channels);
         for (int i = 0; i < count; ++i) color[begin + i] = scratch.channels.radiance.at(i);
     }
 }
 
 }  // namespace
 
-void light_vertices(const RenderPlan& plan, const lighting::LightingSetup& setup, RenderBuffers& buffers) {
-    for (const raster::MeshInstance& instance : buffers.instances) {
+void light_vertices(const Frame& frame) {
+    for (const raster::MeshInstance& instance : frame.buffers.instances) {
         for (std::size_t p = 0; p < instance.mesh->parts.size(); ++p) {
             const VertexRange range = vertices_of_part(*instance.mesh, instance.mesh->parts[p]);
-            light_range(plan.materials[instance.part_material[p]], setup, instance.first_vertex + range.first,
-                        static_cast<int>(range.end - range.first), buffers.streams);
+            light_range(frame, static_cast<std::uint32_t>(instance.part_material[p]), instance.first_vertex + range.first,
+                        static_cast<int>(range.end - range.first));
         }
     }
 }
 
-void fog_vertices(const lighting::LightingSetup& setup, RenderBuffers& buffers) {
-    raster::VertexStreams& streams = buffers.streams;
+void fog_vertices(const Frame& frame) {
+    raster::VertexStreams& streams = frame.buffers.streams;
     for_each_batch(static_cast<int>(streams.fog.size()), [&](int begin, int count, LightingScratch& scratch) {
         for (int i = 0; i < count; ++i) scratch.points.position.set(i, streams.position_world[begin + i]);
-        fog_factors(scratch.points, setup, scratch.channels);
+        fog_factors(scratch.points, frame.lighting, scratch.channels);
         for (int i = 0; i < count; ++i) streams.fog[begin + i] = scratch.channels.fog.at(i);
     });
 }
 
-void light_triangles(const RenderPlan& plan, const lighting::LightingSetup& setup, RenderBuffers& buffers) {
+void light_triangles(const Frame& frame) {
+    RenderBuffers& buffers = frame.buffers;
     const int chunk_count = static_cast<int>(buffers.triangles.chunks.size());
     buffers.flat_color.resize(buffers.triangles.chunks.size());
 #pragma omp parallel if (chunk_count > 1)
@@ -122,7 +126,7 @@ void light_triangles(const RenderPlan& plan, const lighting::LightingSetup& setu
         for (int i = 0; i < chunk_count; ++i) {
             const raster::TriangleChunk& chunk = buffers.triangles.chunks[i];
             if (chunk.triangles.empty()) continue;
-            light_chunk(plan, setup, buffers, chunk, buffers.flat_color[i], *scratch);
+            light_chunk(frame, chunk, buffers.flat_color[i], *scratch);
         }
     }
 }

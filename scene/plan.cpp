@@ -46,6 +46,7 @@ raster::VertexNeeds vertex_needs(const Scene& scene, const RenderPlan& plan) {
     needs.normal_world = lit_at_pixels || lit_at_vertices;
     needs.color = lit_at_vertices;
     needs.fog = plan.fog_at_vertices;
+    for (const View* view : plan.views) needs.normal_world |= view->needs.normal;
     if (scene.objects.empty()) needs = {};
     return needs;
 }
@@ -56,6 +57,10 @@ raster::FragmentNeeds fragment_needs(const RenderPlan& plan) {
     needs.normal = plan.frequency == ShadingFrequency::phong;
     needs.color = plan.frequency == ShadingFrequency::gouraud;
     needs.fog = plan.fog_at_vertices;
+    for (const View* view : plan.views) {
+        needs.position |= view->needs.position;
+        needs.normal |= view->needs.normal;
+    }
     return needs;
 }
 
@@ -118,6 +123,10 @@ void plan_film(const Scene& scene, const Sizes& sizes, RenderPlan& plan) {
     const int n = scene.image.samples;
     const std::string reason = n == 1 ? "one sample a pixel" : "mean of " + std::to_string(n * n) + " samples a pixel";
     plan.passes.push_back({"film", reason, {{"linear RGB", sizes.pixels * 3 * sizeof(float)}}});
+    for (const View* view : plan.views) {
+        const std::uint64_t bytes = sizes.pixels * static_cast<std::uint64_t>(view->components) * sizeof(float);
+        plan.passes.push_back({"view " + std::string(view->name), std::string(view->meaning), {{"values", bytes}}});
+    }
 }
 
 void list_left_out(RenderPlan& plan) {
@@ -136,9 +145,11 @@ void list_left_out(RenderPlan& plan) {
 
 }  // namespace
 
-RenderPlan make_plan(const Scene& scene) {
+RenderPlan make_plan(const Scene& scene, const std::vector<const View*>& views) {
     const Sizes sizes = measure(scene);
     RenderPlan plan;
+    plan.views = views;
+    plan.has_lights = std::any_of(scene.lights.begin(), scene.lights.end(), [](const auto& light) { return light.on; });
     plan.samples = scene.image.samples;
     plan.viewport = {scene.image.width * plan.samples, scene.image.height * plan.samples};
     plan.cull = cull_mode(scene.shading.cull);
@@ -160,6 +171,16 @@ RenderPlan make_plan(const Scene& scene) {
     plan_film(scene, sizes, plan);
     list_left_out(plan);
     return plan;
+}
+
+bool can_show(const RenderPlan& plan, const Scene& scene, const View& view) {
+    for (const Object& object : scene.objects) {
+        for (std::size_t part = 0; part < object.part_material.size(); ++part) {
+            if (object.part_hidden[part]) continue;
+            if (view.holds(plan, static_cast<std::uint32_t>(object.part_material[part]))) return true;
+        }
+    }
+    return false;
 }
 
 std::string describe(const RenderPlan& plan, bool with_left_out) {

@@ -10,6 +10,7 @@
 #include "raster/triangle_setup.hpp"
 #include "raster/vertex_stage.hpp"
 #include "scene/scene.hpp"
+#include "scene/views.hpp"
 
 namespace kreda::scene {
 
@@ -40,13 +41,19 @@ struct RenderPlan {
     raster::VertexNeeds vertex;  ///< attributes of the vertex streams
     raster::FragmentNeeds fragment;  ///< attributes that are interpolated for each visible sample
     std::vector<lighting::MaterialSetup> materials;  ///< the scene's, made ready
+    bool has_lights = false;     ///< one that is on
     bool fog_at_vertices = false;
     bool fog_at_pixels = false;
+    std::vector<const View*> views;  ///< written beside the film
     std::vector<PlannedPass> passes;
     std::vector<LeftOutPass> left_out;
 };
 
-[[nodiscard]] RenderPlan make_plan(const Scene& scene);
+/// What drawing the scene requires, and these views of it.
+[[nodiscard]] RenderPlan make_plan(const Scene& scene, const std::vector<const View*>& views = {});
+
+/// Does anything in the scene write this view?
+[[nodiscard]] bool can_show(const RenderPlan& plan, const Scene& scene, const View& view);
 
 /// The plan as text for people: a line a pass with its reason and the bytes of its buffers.
 [[nodiscard]] std::string describe(const RenderPlan& plan, bool with_left_out);

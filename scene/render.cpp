@@ -87,15 +87,23 @@ void prepare_scratch(RenderBuffers& buffers) {
     }
 }
 
-/// Size the film without touching memory that is there already: every pixel is written by its tile.
-void prepare_film(const Scene& scene, raster::Image& film) {
-    film.width = scene.image.width;
-    film.height = scene.image.height;
-    film.channels = 3;
-    film.values.resize(static_cast<std::size_t>(film.width) * film.height * 3);
+/// Size a picture without touching memory that is there already: every pixel is written by its tile.
+void prepare_picture(const Scene& scene, int channels, raster::Image& picture) {
+    picture.width = scene.image.width;
+    picture.height = scene.image.height;
+    picture.channels = channels;
+    picture.values.resize(picture.plane_size() * static_cast<std::size_t>(channels));
 }
 
-void render_tiles(const TileFrame& frame) {
+void prepare_pictures(const Scene& scene, const RenderPlan& plan, RenderBuffers& buffers) {
+    prepare_picture(scene, 3, buffers.film);
+    buffers.views.resize(plan.views.size());
+    for (std::size_t v = 0; v < plan.views.size(); ++v) {
+        prepare_picture(scene, plan.views[v]->components, buffers.views[v]);
+    }
+}
+
+void render_tiles(const Frame& frame) {
     const int tile_count = frame.buffers.triangles.grid.columns * frame.buffers.triangles.grid.rows;
     const std::vector<int>& order = frame.buffers.tile_order;
 #pragma omp parallel for schedule(dynamic)
@@ -141,27 +149,28 @@ RenderStatistics render(const Scene& scene, const RenderPlan& plan, RenderBuffer
     const lighting::LightingSetup lighting = make_lighting(scene, lights);
     buffers.instances = make_instances(scene);
     prepare_scratch(buffers);
-    prepare_film(scene, buffers.film);
+    prepare_pictures(scene, plan, buffers);
+    const Frame frame{scene, plan, lighting, buffers};
 
     lay_out_vertices(buffers.instances, plan.vertex, buffers.streams);
     transform_vertices(buffers.instances, clip_from_world, plan.viewport, buffers.streams);
     lap("vertices");
     if (plan.vertex.color) {
-        light_vertices(plan, lighting, buffers);
+        light_vertices(frame);
         lap("light vertices");
     }
     if (plan.vertex.fog) {
-        fog_vertices(lighting, buffers);
+        fog_vertices(frame);
         lap("fog vertices");
     }
     statistics.triangles = setup_triangles(buffers.instances, clip_from_world, plan.viewport, plan.cull, plan.samples,
                                            buffers.streams, buffers.triangles);
     lap("triangles");
     if (plan.frequency == ShadingFrequency::flat) {
-        light_triangles(plan, lighting, buffers);
+        light_triangles(frame);
         lap("light triangles");
     }
-    render_tiles({scene, plan, lighting, buffers});
+    render_tiles(frame);
     add_tile_times(buffers, statistics);
     statistics.times.total_ms = total.lap_ms();
     return statistics;

@@ -30,6 +30,7 @@ struct RenderBuffers {
     std::vector<std::vector<glm::vec3>> flat_color;       ///< flat shading: one a triangle, chunk by chunk
     std::vector<std::unique_ptr<TileScratch>> scratch;    ///< one a thread
     raster::Image film;                                   ///< linear RGB radiance, row 0 on top
+    std::vector<raster::Image> views;                     ///< one for each of the plan's views, as large as the film
     std::vector<int> tile_order;                          ///< tests shuffle the tiles; empty: row by row
 };
 

@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "raster/platform.hpp"
+#include "scene/shade.hpp"
 #include "scene/stopwatch.hpp"
 
 namespace kreda::scene {
@@ -63,9 +64,9 @@ KREDA_BATCH_LOOP void paint_flat_runs(const RenderBuffers& buffers, const Run* r
 }
 
 /// The radiance of every point of the batch, fog included.
-void shade_batch(const TileFrame& frame, std::uint32_t material, TileScratch& scratch) {
+void shade_batch(const Frame& frame, std::uint32_t material, TileScratch& scratch) {
     if (frame.plan.frequency == ShadingFrequency::phong) {
-        light_batch(scratch.fragments, frame.plan.materials[material], frame.lighting, scratch.lighting);
+        shade_points(frame, scratch.fragments, material, scratch.lighting);
     } else {
         copy_color(scratch.fragments, scratch.lighting);
     }
@@ -94,8 +95,41 @@ KREDA_BATCH_LOOP void scatter_runs(const raster::Channel3& radiance, const Run* 
     }
 }
 
+void fill_background(const glm::vec3& background, TileColor& color) {
+    for (int c = 0; c < 3; ++c) std::fill(std::begin(color.plane[c]), std::end(color.plane[c]), background[c]);
+}
+
+/// The values of a view at the points of the batch, into the tile.
+void write_view(const View& view, const BatchChannels& batch, const Run* runs, int count, TileColor& values) {
+    for (int c = 0; c < view.components; ++c) {
+        int point = 0;
+        for (int r = 0; r < count; ++r) {
+            float* to = values.plane[c] + runs[r].y * kTileSide + runs[r].x;
+            for (int i = 0; i < runs[r].count; ++i) to[i] = view.value(batch, point++, c);
+        }
+    }
+}
+
+void write_views(const Frame& frame, const Run* runs, int count, TileScratch& scratch) {
+    const BatchChannels batch{scratch.fragments, scratch.lighting};
+    for (std::size_t v = 0; v < frame.plan.views.size(); ++v) {
+        const View& view = *frame.plan.views[v];
+        if (view.value && view.holds(frame.plan, runs[0].material)) write_view(view, batch, runs, count, scratch.views[v]);
+    }
+}
+
+/// Before the batches: the depth buffer, and what a view shows where nothing is seen.
+void start_views(const RenderPlan& plan, TileScratch& scratch) {
+    scratch.views.resize(plan.views.size());
+    for (std::size_t v = 0; v < plan.views.size(); ++v) {
+        TileColor& values = scratch.views[v];
+        fill_background(glm::vec3(background_of(*plan.views[v])), values);
+        if (!plan.views[v]->value) std::copy_n(scratch.visibility.depth, kTileSide * kTileSide, values.plane[0]);
+    }
+}
+
 /// One batch: interpolate, light, fog, back into the tile.
-void work_batch(const TileFrame& frame, const TileArea& area, const Run* runs, int count, TileScratch& scratch) {
+void work_batch(const Frame& frame, const TileArea& area, const Run* runs, int count, TileScratch& scratch) {
     Stopwatch watch;
     scratch.fragments.count = 0;
     if (frame.plan.fragment.any()) {
@@ -108,6 +142,7 @@ void work_batch(const TileFrame& frame, const TileArea& area, const Run* runs, i
     scratch.interpolation_ms += watch.lap_ms();
     shade_batch(frame, runs[0].material, scratch);
     scatter_runs(scratch.lighting.radiance, runs, count, scratch.color);
+    write_views(frame, runs, count, scratch);
     scratch.lighting_ms += watch.lap_ms();
 }
 
@@ -124,7 +159,7 @@ float mean_of_samples(const float* plane, int x, int y, int n) {
 void write_film(const TileArea& area, int n, const TileColor& color, raster::Image& film) {
     const int x0 = area.x / n;
     const int y0 = area.y / n;
-    for (int c = 0; c < 3; ++c) {
+    for (int c = 0; c < film.channels; ++c) {
         for (int y = 0; y < area.height / n; ++y) {
             float* row = film.plane(c) + static_cast<std::size_t>(y0 + y) * film.width + x0;
             if (n == 1) {
@@ -142,13 +177,9 @@ int samples_of(const Run* runs, int count) {
     return samples;
 }
 
-void fill_background(const glm::vec3& background, TileColor& color) {
-    for (int c = 0; c < 3; ++c) std::fill(std::begin(color.plane[c]), std::end(color.plane[c]), background[c]);
-}
-
 /// Shade all runs of the tile, batch by batch.
-void shade_runs(const TileFrame& frame, const TileArea& area, int run_count, TileScratch& scratch) {
-    if (frame.plan.frequency == ShadingFrequency::flat && !frame.plan.fragment.any()) {
+void shade_runs(const Frame& frame, const TileArea& area, int run_count, TileScratch& scratch) {
+    if (frame.plan.frequency == ShadingFrequency::flat && !frame.plan.fragment.any() && frame.plan.views.empty()) {
         return paint_flat_runs(frame.buffers, scratch.runs, run_count, scratch.color);
     }
     group_by_material(scratch.runs, run_count);
@@ -162,18 +193,22 @@ void shade_runs(const TileFrame& frame, const TileArea& area, int run_count, Til
 
 }  // namespace
 
-void render_tile(const TileFrame& frame, int tile_index, TileScratch& scratch) {
+void render_tile(const Frame& frame, int tile_index, TileScratch& scratch) {
     Stopwatch watch;
     const TileArea area = tile_area(frame.buffers.triangles.grid, frame.plan.viewport, tile_index);
     rasterize_tile(frame.buffers.streams, frame.buffers.triangles, area, scratch.visibility);
     const int run_count = find_runs(scratch.visibility, area, frame.buffers.triangles, scratch.runs);
     const int covered = samples_of(scratch.runs, run_count);
     if (covered < area.width * area.height) fill_background(frame.scene.image.background, scratch.color);
+    start_views(frame.plan, scratch);
     scratch.visibility_ms += watch.lap_ms();
     shade_runs(frame, area, run_count, scratch);
     scratch.samples_shaded += static_cast<std::uint64_t>(covered);
     watch.lap_ms();
     write_film(area, frame.plan.samples, scratch.color, frame.buffers.film);
+    for (std::size_t v = 0; v < scratch.views.size(); ++v) {
+        write_film(area, frame.plan.samples, scratch.views[v], frame.buffers.views[v]);
+    }
     scratch.film_ms += watch.lap_ms();
 }
 

@@ -3,11 +3,12 @@
 
 #include "lighting/passes.hpp"
 #include "raster/fragments.hpp"
+#include "scene/frame.hpp"
 #include "scene/render.hpp"
 
 namespace kreda::scene {
 
-/// Linear RGB of a tile's samples.
+/// Linear RGB of a tile's samples, or the one or three numbers of a view.
 struct TileColor {
     alignas(64) float plane[3][raster::kTileSide * raster::kTileSide];
 };
@@ -19,19 +20,12 @@ struct TileScratch {
     raster::Fragments fragments;
     lighting::LightingChannels lighting;
     TileColor color;
+    std::vector<TileColor> views;  ///< one for each of the plan's
     double visibility_ms = 0.0, interpolation_ms = 0.0, lighting_ms = 0.0, film_ms = 0.0;
     std::uint64_t samples_shaded = 0;
 };
 
-/// What is the same for all tiles of a frame.
-struct TileFrame {
-    const Scene& scene;
-    const RenderPlan& plan;
-    const lighting::LightingSetup& lighting;
-    RenderBuffers& buffers;
-};
-
-/// Work through one tile and write its pixels to buffers.film.
-void render_tile(const TileFrame& frame, int tile_index, TileScratch& scratch);
+/// Work through one tile and write its pixels to buffers.film and buffers.views.
+void render_tile(const Frame& frame, int tile_index, TileScratch& scratch);
 
 }  // namespace kreda::scene

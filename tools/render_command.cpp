@@ -1,10 +1,12 @@
 // kreda render: a scene file becomes a picture.
+#include <algorithm>
 #include <charconv>
 #include <filesystem>
 #include <iostream>
 #include <memory>
 #include <string>
 #include <system_error>
+#include <vector>
 
 #include <CLI/CLI.hpp>
 
@@ -26,6 +28,7 @@ using scene::UserError;
 struct RenderOptions {
     SceneOptions scene;
     std::string output;  ///< empty: the scene's name and .png, in the current folder
+    std::string view;    ///< a view's name; empty: the picture itself
     std::string size;    ///< "640x360"; empty: what the scene says
     int samples = 0;     ///< 0: what the scene says
     int threads = 0;     ///< 0: as many as there are cores
@@ -86,6 +89,33 @@ void warn_of_film(const raster::FilmReport& report, bool linear) {
     if (report.negative > 0 && !linear) warn(values(report.negative, " values of the picture are negative; written as 0"));
 }
 
+const scene::View* chosen_view(const std::string& name) {
+    if (name.empty()) return nullptr;
+    const scene::View* view = scene::find_view(name);
+    if (view) return view;
+    std::vector<std::string> names;
+    for (const scene::View& known : scene::all_views()) names.emplace_back(known.name);
+    const std::string near = scene::nearest_word(name, names);
+    throw UserError("--view " + name + ": there is no such view" + (near.empty() ? "" : "; did you mean " + near + "?") +
+                    " (kreda render --help lists them)");
+}
+
+void write_view(const std::string& path, const scene::View& view, const raster::Image& values, const scene::Scene& scene) {
+    if (is_exr(path)) {
+        const bool grey = view.components == 1;
+        scene::write_exr(path, raster::without_non_finite(values),
+                         grey ? std::vector<std::string>{"Y"} : std::vector<std::string>{"R", "G", "B"});
+    } else {
+        const scene::ViewPicture picture = picture_of(view, values, scene);
+        scene::write_png(path, picture.encoded);
+        for (const scene::ValueRange& range : picture.ranges) {
+            std::cerr << "black is " << range.least << ", white is " << range.greatest << "\n";
+        }
+    }
+    std::cerr << "wrote " << path << " (" << values.width << " x " << values.height << "), " << view.name << ": "
+              << view.meaning << "\n";
+}
+
 void write_picture(const std::string& path, const raster::Image& film, const scene::ImageSettings& settings) {
     raster::FilmReport report;
     const bool linear = is_exr(path);
@@ -109,14 +139,20 @@ scene::Scene load(const RenderOptions& options) {
 void render_command(const RenderOptions& options) {
     const std::string path = output_path(options);
     check_output(path);
+    const scene::View* view = chosen_view(options.view);
     const scene::Scene scene = load(options);
-    const scene::RenderPlan plan = make_plan(scene);
+    const scene::RenderPlan plan = view ? make_plan(scene, {view}) : make_plan(scene);
+    if (view && !can_show(plan, scene, *view)) {
+        throw UserError("--view " + options.view + ": this scene has nothing to show; it needs " +
+                        std::string(view->requires_what));
+    }
     scene::RenderBuffers buffers;
     TimeReport report;
     for (int i = 0; i < options.repeat; ++i) report.frames.push_back(render(scene, plan, buffers, options.threads));
     const std::uint64_t dropped = report.frames.back().triangles.non_finite;
     if (dropped > 0) warn(std::to_string(dropped) + " triangles were dropped: a corner is not a finite number");
-    write_picture(path, buffers.film, scene.image);
+    if (view) write_view(path, *view, buffers.views[0], scene);
+    else write_picture(path, buffers.film, scene.image);
     if (!options.time) return;
     report.width = scene.image.width;
     report.height = scene.image.height;
@@ -125,7 +161,20 @@ void render_command(const RenderOptions& options) {
     std::cout << json_line(report) << "\n";
 }
 
+std::string view_list() {
+    std::string list = "Views:\n";
+    for (const scene::View& view : scene::all_views()) {
+        std::string line = "  " + std::string(view.name);
+        line.resize(std::max<std::size_t>(line.size() + 2, 21), ' ');
+        list += line + std::string(view.meaning) + "\n";
+    }
+    return list;
+}
+
 constexpr const char* kExamples = R"(
+A view is a quantity of the pipeline as a picture: an EXR holds its numbers, a PNG shows light as the scene's own picture,
+directions as (x + 1) / 2, shares of 0..1 as 255 x, other numbers between the least (black) and the greatest (white).
+
 The scene file is described by `kreda keys`; a value given here wins over the file's.
 --time prints one line of JSON, milliseconds from the loaded scene to the linear film, without loading, tone mapping and
 writing. Stages that run tile by tile are summed over the threads and divided by their number. pixels_shaded counts
@@ -136,6 +185,7 @@ Examples:
   kreda render bunny.obj                                         any mesh, the camera in front of it
   kreda render scene.toml -o picture.exr --size 1920x1080        linear float, before tone mapping
   kreda render scene.toml --set camera.position=[0,1,4] --samples 4
+  kreda render scene.toml --view normal -o normal.png
   kreda render --repeat 15 --time --threads 2                    how long a frame takes)";
 
 }  // namespace
@@ -158,7 +208,9 @@ void add_render_command(CLI::App& app) {
     command->add_option("--repeat", options->repeat, "Draw N times; --time gives the median of each number")
         ->type_name("N")
         ->check(CLI::Range(1, 100000));
-    command->footer(kExamples);
+    command->add_option("--view", options->view, "Draw this quantity instead of the picture; the list is below")
+        ->type_name("NAME");
+    command->footer("\n" + view_list() + kExamples);
     command->callback([options] { render_command(*options); });
 }
 

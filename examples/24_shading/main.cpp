@@ -1,6 +1,6 @@
 // 24_shading: light once a triangle, once a vertex, or once a pixel; and where Gouraud misses the highlight.
 // Page docs/24_shading.md | After 22_phong_terms | New: ShadingFrequency
-// Break at: light_batch | Look at: fragments.count | Try: detail 96, shininess 200
+// Break at: shade_points | Look at: points.count | Try: detail 96, shininess 200
 #include "examples/example.hpp"
 #include "examples/lit_scene.hpp"
 

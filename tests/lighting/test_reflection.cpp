@@ -115,7 +115,10 @@ TEST_CASE("A batch gives the same bits as the formula point by point") {
             fragments.position.set(i, direction(2.0 * i, 11.0 * i));
             fragments.normal.set(i, 1.7f * direction(2.0 * i + 3, 11.0 * i));
         }
-        light_batch(fragments, setup, frame, channels);
+        start_lighting(fragments, setup, frame, channels);
+        sample_light(fragments, light, channels);
+        add_reflection(fragments.count, setup, channels);
+        sum_terms(fragments.count, channels);
         for (int i = 0; i < fragments.count; ++i) {
             const glm::vec3 p = fragments.position.at(i), n = unit(fragments.normal.at(i)), v = unit(frame.eye - p);
             const LightSample s = sample(lamp, p);

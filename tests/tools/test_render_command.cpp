@@ -164,6 +164,28 @@ TEST_CASE("what is wrong but not fatal is a line of warning each") {
     CHECK(outcome.err.find("none.mtl") != std::string::npos);
 }
 
+TEST_CASE("a view is a picture of its own and an EXR of its numbers") {
+    const TempFolder folder;
+    write_full_view(folder);
+    render(folder, {"square.toml", "--view", "position", "-o", "p.exr"});
+    const raster::Image position = scene::read_image(folder.file("p.exr"));
+    CHECK(position.rgb(0, 0).y == doctest::Approx(1.0 - 1.0 / 16.0).epsilon(1e-5));  // the centre of the upper row
+    render(folder, {"square.toml", "--view", "depth", "-o", "d.png"});
+    CHECK(scene::read_image(folder.file("d.png")).channels == 1);
+}
+
+TEST_CASE("a view that is not there or not in the scene is an error that says what to do") {
+    const TempFolder folder;
+    write_sphere(folder);
+    const Outcome typo = run_kreda({"render", "sphere.toml", "--view", "normals"}, folder.path.string());
+    CHECK(typo.exit_code == 2);
+    CHECK(typo.err.find("did you mean normal?") != std::string::npos);
+    const Outcome absent = run_kreda({"render", "sphere.toml", "--view", "roughness"}, folder.path.string());
+    CHECK(absent.exit_code == 2);
+    CHECK(absent.err.find("cook_torrance") != std::string::npos);
+    CHECK(names_in(folder.path.string()) == std::vector<std::string>{"sphere.toml"});
+}
+
 TEST_CASE("plan prints what a scene requires and nothing else") {
     const TempFolder folder;
     write_sphere(folder, "[fog]\nmode = \"exp\"\n");

@@ -1,0 +1,168 @@
+#include "scene/views.hpp"
+
+#include <algorithm>
+#include <limits>
+
+#include "raster/film.hpp"
+#include "scene/plan.hpp"
+
+namespace kreda::scene {
+
+namespace {
+
+using lighting::ReflectionModel;
+using Batch = BatchChannels;
+
+bool always(const RenderPlan&, std::uint32_t) {
+    return true;
+}
+
+bool lit_at_pixels(const RenderPlan& plan, std::uint32_t material) {
+    return plan.frequency == ShadingFrequency::phong &&
+           plan.materials[material].material.model != ReflectionModel::unlit;
+}
+
+bool lit_by_lights(const RenderPlan& plan, std::uint32_t material) {
+    return lit_at_pixels(plan, material) && plan.has_lights;
+}
+
+bool is_microfacet(const RenderPlan& plan, std::uint32_t material) {
+    return lit_at_pixels(plan, material) && plan.materials[material].material.model == ReflectionModel::cook_torrance;
+}
+
+bool is_lit_microfacet(const RenderPlan& plan, std::uint32_t material) {
+    return is_microfacet(plan, material) && plan.has_lights;
+}
+
+bool in_fog(const RenderPlan& plan, std::uint32_t) {
+    return plan.fog_at_pixels || plan.fog_at_vertices;
+}
+
+constexpr const char* kAnything = "an object";
+constexpr const char* kLit = "shading.frequency = \"phong\" and a material that is not unlit";
+constexpr const char* kLights = "shading.frequency = \"phong\", a material that is not unlit and a light";
+constexpr const char* kMicrofacet = "shading.frequency = \"phong\" and a material with model = \"cook_torrance\"";
+constexpr const char* kLitMicrofacet =
+    "shading.frequency = \"phong\", a material with model = \"cook_torrance\" and a light";
+constexpr const char* kFog = "fog.mode that is not \"none\"";
+
+/// G from V = G / (4 (n.l)(n.v)).
+float geometry_from_visibility(const lighting::MicrofacetChannels& m, int i) {
+    return 4.0f * m.n_dot_l.at(i) * m.n_dot_v.at(i) * m.V.at(i);
+}
+
+std::vector<View> make_views() {
+    using enum ViewScale;
+    constexpr raster::FragmentNeeds kNothing{};
+    constexpr raster::FragmentNeeds kPosition{.position = true};
+    return {
+        {"radiance", "what leaves toward the viewer, fog included: the picture itself", kAnything, 3, radiance,
+         kNothing, always, [](const Batch& b, int i, int c) { return b.lighting.radiance.at(i)[c]; }},
+        {"depth", "window depth: 0 at the near plane, 1 at the far plane", kAnything, 1, range, kNothing, always,
+         nullptr},
+        {"position", "world position", kAnything, 3, range, kPosition, always,
+         [](const Batch& b, int i, int c) { return b.points.position.at(i)[c]; }},
+        {"normal", "n: unit normal, world space", kLit, 3, direction, kNothing, lit_at_pixels,
+         [](const Batch& b, int i, int c) { return b.lighting.n.at(i)[c]; }},
+        {"to_viewer", "v: unit, to the viewer", kLit, 3, direction, kNothing, lit_at_pixels,
+         [](const Batch& b, int i, int c) { return b.lighting.v.at(i)[c]; }},
+        {"albedo", "c: base colour", kMicrofacet, 3, color, kNothing, is_microfacet,
+         [](const Batch& b, int i, int c) { return b.lighting.microfacet.albedo.at(i)[c]; }},
+        {"metallic", "0 dielectric .. 1 metal", kMicrofacet, 1, share, kNothing, is_microfacet,
+         [](const Batch& b, int i, int) { return b.lighting.microfacet.metallic.at(i); }},
+        {"roughness", "0 smooth .. 1 rough", kMicrofacet, 1, share, kNothing, is_microfacet,
+         [](const Batch& b, int i, int) { return b.lighting.microfacet.roughness.at(i); }},
+        {"f0", "F0: reflectance at normal incidence", kMicrofacet, 3, color, kNothing, is_microfacet,
+         [](const Batch& b, int i, int c) { return b.lighting.microfacet.f0.at(i)[c]; }},
+        {"to_light", "l: unit, to the last light that is on", kLights, 3, direction, kNothing, lit_by_lights,
+         [](const Batch& b, int i, int c) { return b.lighting.l.at(i)[c]; }},
+        {"light_irradiance", "s: what arrives of the last light that is on, on a plane facing it", kLights, 3, radiance,
+         kNothing, lit_by_lights, [](const Batch& b, int i, int c) { return b.lighting.irradiance.at(i)[c]; }},
+        {"D", "microfacets that face the half vector, of the last light that is on [1/sr]", kLitMicrofacet, 1, range,
+         kNothing, is_lit_microfacet, [](const Batch& b, int i, int) { return b.lighting.microfacet.D.at(i); }},
+        {"V", "V = G / (4 (n.l)(n.v)) of the last light that is on", kLitMicrofacet, 1, range, kNothing,
+         is_lit_microfacet, [](const Batch& b, int i, int) { return b.lighting.microfacet.V.at(i); }},
+        {"G", "share of the microfacets that light and viewer both see, of the last light that is on", kLitMicrofacet,
+         1, share, kNothing, is_lit_microfacet,
+         [](const Batch& b, int i, int) { return geometry_from_visibility(b.lighting.microfacet, i); }},
+        {"F", "Fresnel reflectance at v.h, of the last light that is on", kLitMicrofacet, 3, color, kNothing,
+         is_lit_microfacet, [](const Batch& b, int i, int c) { return b.lighting.microfacet.F.at(i)[c]; }},
+        {"ambient", "s_A m_A + m_E: what is there without any light", kLit, 3, radiance, kNothing, lit_at_pixels,
+         [](const Batch& b, int i, int c) { return b.lighting.ambient.at(i)[c]; }},
+        {"diffuse", "diffuse reflection of all lights", kLit, 3, radiance, kNothing, lit_at_pixels,
+         [](const Batch& b, int i, int c) { return b.lighting.diffuse.at(i)[c]; }},
+        {"specular", "specular reflection of all lights", kLit, 3, radiance, kNothing, lit_at_pixels,
+         [](const Batch& b, int i, int c) { return b.lighting.specular.at(i)[c]; }},
+        {"light", "diffuse + specular of all lights", kLit, 3, radiance, kNothing, lit_at_pixels,
+         [](const Batch& b, int i, int c) { return b.lighting.diffuse.at(i)[c] + b.lighting.specular.at(i)[c]; }},
+        {"fog", "f: 1 clear .. 0 nothing but fog", kFog, 1, share, kNothing, in_fog,
+         [](const Batch& b, int i, int) { return b.lighting.fog.at(i); }},
+    };
+}
+
+/// Range of the values that are not background.
+ValueRange range_of(const float* values, std::size_t count, float background) {
+    ValueRange found{std::numeric_limits<float>::max(), std::numeric_limits<float>::lowest()};
+    for (std::size_t i = 0; i < count; ++i) {
+        if (values[i] == background || !std::isfinite(values[i])) continue;
+        found.least = std::min(found.least, values[i]);
+        found.greatest = std::max(found.greatest, values[i]);
+    }
+    return found.least <= found.greatest ? found : ValueRange{background, background};
+}
+
+float in_range(float x, const ValueRange& range) {
+    const float width = range.greatest - range.least;
+    return width > 0.0f ? raster::saturate((x - range.least) / width) : 0.5f;
+}
+
+template <class Map>
+raster::Image map_values(const raster::Image& values, Map map) {
+    raster::Image result = values;
+    for (int c = 0; c < values.channels; ++c) {
+        float* plane = result.plane(c);
+        for (std::size_t i = 0; i < result.plane_size(); ++i) plane[i] = map(plane[i], c);
+    }
+    return result;
+}
+
+}  // namespace
+
+const std::vector<View>& all_views() {
+    static const std::vector<View> views = make_views();
+    return views;
+}
+
+const View* find_view(std::string_view name) {
+    for (const View& view : all_views()) {
+        if (view.name == name) return &view;
+    }
+    return nullptr;
+}
+
+ViewPicture picture_of(const View& view, const raster::Image& values, const Scene& scene) {
+    const ImageSettings& image = scene.image;
+    switch (view.scale) {
+        case ViewScale::radiance:
+            return {develop(values, {image.exposure, image.tone_map, image.white, image.transfer, image.gamma}), {}};
+        case ViewScale::color:
+            return {develop(values, {}), {}};
+        case ViewScale::share:
+            return {map_values(values, [](float x, int) { return raster::saturate(x); }), {}};
+        case ViewScale::direction:
+            return {map_values(values, [](float x, int) { return raster::saturate(0.5f * x + 0.5f); }), {}};
+        case ViewScale::range:
+            break;
+    }
+    ViewPicture picture;
+    for (int c = 0; c < values.channels; ++c) {
+        picture.ranges.push_back(range_of(values.plane(c), values.plane_size(), background_of(view)));
+    }
+    picture.encoded = map_values(values, [&](float x, int c) {
+        return x == background_of(view) ? background_of(view)
+                                        : in_range(x, picture.ranges[static_cast<std::size_t>(c)]);
+    });
+    return picture;
+}
+
+}  // namespace kreda::scene
