@@ -67,6 +67,10 @@ struct Fragments {
     Channel3 color;     ///< lit at the vertices (Gouraud) or once a triangle (flat)
     Channel fog;        ///< fog factor of the vertices
     Channel u, v;       ///< texture coordinates
+    Channel du_dx, dv_dx;  ///< u and v of the sample to the right minus those here, both on this sample's triangle
+    Channel du_dy, dv_dy;  ///< the same for the sample below
+    Channel3 tangent;      ///< world space, along growing u, as interpolated: not normalized
+    Channel tangent_side;  ///< > 0: the bitangent is n x t; < 0: t x n
 };
 
 /// Which attributes the shading of the batch reads.
@@ -75,9 +79,11 @@ struct FragmentNeeds {
     bool normal = false;
     bool color = false;
     bool uv = false;
+    bool uv_steps = false;  ///< with uv: how far it is to the neighbouring samples' uv
+    bool tangent = false;
     bool fog = false;
 
-    [[nodiscard]] bool any() const { return position || normal || color || uv || fog; }
+    [[nodiscard]] bool any() const { return position || normal || color || uv || tangent || fog; }
 };
 
 enum class AttributeInterpolation { perspective, affine };
@@ -88,6 +94,8 @@ int find_runs(const TileVisibility& tile, const TileArea& area, const TriangleSe
 /// Interpolate the attributes asked for over `run_count` runs, one behind the other, into the batch.
 ///   lambda_i = E_i / (E_0 + E_1 + E_2)      q_i = lambda_i / w_i      a = sum q_i a_i / sum q_i       Heckbert & Moreton 1991
 /// E_i are the exact integers (in double they stay exact up to 2^53); `affine` leaves out 1/w, to show why not.
+/// Steps of uv to the neighbours come from the plane of the triangle itself, wherever it ends, so they do not depend on
+/// tiles, runs or other triangles:   u' - u = sum dq_i (u_i - u) / sum (q_i + dq_i).
 /// The runs hold at most kBatchCapacity samples together.
 void interpolate_runs(const VertexStreams& streams, const TriangleSet& set, const TileArea& area, const Run* runs,
                       int run_count, const FragmentNeeds& needs, AttributeInterpolation interpolation,

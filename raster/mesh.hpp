@@ -7,6 +7,7 @@
 
 #include <glm/vec2.hpp>
 #include <glm/vec3.hpp>
+#include <glm/vec4.hpp>
 
 namespace kreda::raster {
 
@@ -23,6 +24,7 @@ struct Mesh {
     std::vector<glm::vec3> positions;    ///< object space
     std::vector<glm::vec3> normals;      ///< object space, unit
     std::vector<glm::vec2> uvs;          ///< (0,0) lower left of the texture; empty: the mesh has none
+    std::vector<glm::vec4> tangents;     ///< xyz unit, along growing u; w = +1, or -1 where uv is mirrored: make_tangents()
     std::vector<std::uint32_t> indices;  ///< three a triangle, each < positions.size()
     std::vector<MeshPart> parts;         ///< cover all triangles, in order
 

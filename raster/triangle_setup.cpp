@@ -189,6 +189,7 @@ void append_vertex(const ClipVertex& vertex, const std::array<std::uint32_t, 3>&
     append_weighted(streams.position_world, corner, vertex.weights);
     append_weighted(streams.normal_world, corner, vertex.weights);
     append_weighted(streams.uv, corner, vertex.weights);
+    append_weighted(streams.tangent_world, corner, vertex.weights);
     append_weighted(streams.color, corner, vertex.weights);
     append_weighted(streams.fog, corner, vertex.weights);
 }

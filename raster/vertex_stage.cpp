@@ -45,6 +45,15 @@ KREDA_BATCH_LOOP void transform_normals(const glm::vec3* __restrict in, int coun
     for (int i = 0; i < count; ++i) out[i] = m * in[i];
 }
 
+/// world <- object for a run of tangents. They lie in the surface and move with its points; a mirror swaps the side of
+/// the bitangent.
+KREDA_BATCH_LOOP void transform_tangents(const glm::vec4* __restrict in, int count, const glm::mat3& matrix,
+                                         glm::vec4* __restrict out) {
+    const glm::mat3 m = matrix;
+    const float side = glm::determinant(glm::dmat3(matrix)) < 0.0 ? -1.0f : 1.0f;
+    for (int i = 0; i < count; ++i) out[i] = glm::vec4(m * glm::vec3(in[i]), side * in[i].w);
+}
+
 /// One run of vertices of one instance through every transform that the streams have room for.
 void transform_run(const MeshInstance& instance, const glm::mat4& clip_from_world, const Viewport& viewport,
                    std::uint32_t begin, int count, VertexStreams& streams) {
@@ -62,6 +71,10 @@ void transform_run(const MeshInstance& instance, const glm::mat4& clip_from_worl
     if (!streams.uv.empty() && !mesh.uvs.empty()) {
         std::copy_n(&mesh.uvs[begin], count, &streams.uv[to]);
     }
+    if (!streams.tangent_world.empty() && !mesh.tangents.empty()) {
+        transform_tangents(&mesh.tangents[begin], count, glm::mat3(instance.world_from_object),
+                           &streams.tangent_world[to]);
+    }
 }
 
 }  // namespace
@@ -76,7 +89,8 @@ std::uint32_t lay_out_vertices(std::vector<MeshInstance>& instances, const Verte
     streams.screen.resize(count);
     streams.position_world.resize(needs.position_world ? count : 0);
     streams.normal_world.resize(needs.normal_world ? count : 0);
-    streams.uv.resize(needs.uv ? count : 0);
+    streams.uv.assign(needs.uv ? count : 0, glm::vec2(0.0f));  // not every mesh has them
+    streams.tangent_world.assign(needs.tangent_world ? count : 0, glm::vec4(0.0f));
     streams.color.resize(needs.color ? count : 0);
     streams.fog.resize(needs.fog ? count : 0);
     return count;

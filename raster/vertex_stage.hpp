@@ -8,6 +8,7 @@
 #include <glm/mat4x4.hpp>
 #include <glm/vec2.hpp>
 #include <glm/vec3.hpp>
+#include <glm/vec4.hpp>
 
 #include "raster/mesh.hpp"
 #include "raster/screen.hpp"
@@ -28,6 +29,7 @@ struct VertexNeeds {
     bool position_world = false;
     bool normal_world = false;
     bool uv = false;
+    bool tangent_world = false;
     bool color = false;  ///< lit per vertex: Gouraud
     bool fog = false;    ///< fog factor per vertex
 };
@@ -39,6 +41,7 @@ struct VertexStreams {
     std::vector<glm::vec3> position_world;
     std::vector<glm::vec3> normal_world;  ///< not normalized
     std::vector<glm::vec2> uv;
+    std::vector<glm::vec4> tangent_world;  ///< xyz not normalized, w the side of the bitangent; 0: the mesh has none
     std::vector<glm::vec3> color;
     std::vector<float> fog;
 };
@@ -49,7 +52,7 @@ std::uint32_t lay_out_vertices(std::vector<MeshInstance>& instances, const Verte
 /// The normal's matrix: inverse transpose of the upper 3x3, so that normals stay perpendicular under any scaling.
 [[nodiscard]] glm::mat3 normal_from_object(const glm::mat4& world_from_object);
 
-/// Transform all vertices of all instances into the streams (screen, and position, normal, uv as far as needed).
+/// Transform all vertices of all instances into the streams (screen, and position, normal, uv, tangent as far as needed).
 void transform_vertices(const std::vector<MeshInstance>& instances, const glm::mat4& clip_from_world,
                         const Viewport& viewport, VertexStreams& streams);
 
