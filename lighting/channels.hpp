@@ -1,6 +1,7 @@
 // The named quantities of a batch while it is lit: what the passes write for each other and for the pictures of stages.
 #pragma once
 
+#include "lighting/reflection.hpp"
 #include "raster/fragments.hpp"
 
 namespace kreda::lighting {
@@ -20,6 +21,7 @@ struct MicrofacetChannels {
 struct LightingChannels {
     raster::Channel3 n;           ///< unit normal
     raster::Channel3 v;           ///< unit, to the viewer
+    raster::Channel3 t;           ///< unit, in the surface: the way scratches or threads run (ward, heidrich_seidel)
     raster::Channel3 l;           ///< unit, to the light that is being added
     raster::Channel3 irradiance;  ///< what that light sends, s(p); in shadow what the shadow leaves of it
     raster::Channel shadow;       ///< of that light: 1 lit .. 0 in full shadow; only where it casts shadows
@@ -30,5 +32,12 @@ struct LightingChannels {
     raster::Channel3 radiance;    ///< what leaves toward the viewer: linear RGB
     MicrofacetChannels microfacet;
 };
+
+/// Add one light's reflection at point i to the sums.
+inline void add_terms(LightingChannels& c, int i, const ReflectedTerms& terms) {
+    const glm::vec3 s = c.irradiance.at(i);
+    c.diffuse.set(i, c.diffuse.at(i) + s * terms.diffuse);
+    c.specular.set(i, c.specular.at(i) + s * terms.specular);
+}
 
 }  // namespace kreda::lighting

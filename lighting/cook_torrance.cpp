@@ -6,12 +6,42 @@ namespace kreda::lighting {
 
 namespace {
 
+/// n and k of one index a channel, relative to the medium before the surface.
+void set_index(CookTorranceSetup& setup, const glm::vec3& n, const glm::vec3& k, float outside_ior) {
+    setup.has_index = true;
+    setup.n = n / outside_ior;
+    setup.k = k / outside_ior;
+    setup.surface.f0 = f0_from_index(setup.n, setup.k);
+    setup.f82_b = f82_coefficient_from_index(setup.n, setup.k);
+}
+
+void set_measured(CookTorranceSetup& setup, const CookTorranceMaterial& material) {
+    const MeasuredMaterial* const measured = find_measured(material.measured);
+    KREDA_EXPECT(measured);
+    const ThreeChannelIndex index = three_channel_index(*measured);
+    set_index(setup, index.n, index.k, material.outside_ior);
+    setup.all_wavelengths = material.spectrum == SpectrumUse::full;
+    if (!setup.all_wavelengths) return;
+    setup.spectrum = spectral_index(*measured, material.outside_ior);
+    const SpectralColors colors = spectral_colors(setup.spectrum);
+    setup.surface.f0 = colors.f0;
+    setup.f82_b = colors.b;
+}
+
 void prepare_correction(CookTorranceSetup& setup) {
+    const bool as_printed = setup.fresnel == FresnelMethod::corrected_schlick_as_printed;
     for (int channel = 0; channel < 3; ++channel) {
-        const SchlickCorrection fit = fit_correction(setup.n[channel], setup.k[channel]);
+        const float n = setup.n[channel];
+        const float k = setup.k[channel];
+        const SchlickCorrection fit = as_printed ? fit_correction_as_printed(n, k) : fit_correction(n, k);
         setup.correction_a[channel] = fit.a;
         setup.correction_lambda[channel] = fit.lambda;
     }
+}
+
+/// b of F82 from the colour that was given for c = 1/7.
+void set_f82(CookTorranceSetup& setup, const glm::vec3& f82) {
+    for (int i = 0; i < 3; ++i) setup.f82_b[i] = f82_coefficient(setup.surface.f0[i], f82[i]);
 }
 
 /// 2 int_0^1 F(mu) mu dmu of the chosen method, less that of Schlick's. Midpoints: error 1e-5.
@@ -28,22 +58,33 @@ glm::vec3 average_beyond_schlick(const CookTorranceSetup& setup) {
 
 }  // namespace
 
+bool needs_three_indices(FresnelMethod method) {
+    return method == FresnelMethod::schlick_ior || method == FresnelMethod::rescaled_schlick ||
+           method == FresnelMethod::corrected_schlick || method == FresnelMethod::corrected_schlick_as_printed;
+}
+
 CookTorranceSetup prepare(const CookTorranceMaterial& material) {
     CookTorranceSetup setup;
     setup.distribution = material.distribution;
     setup.geometry = material.geometry;
     setup.fresnel = material.fresnel;
     setup.energy_compensation = material.energy_compensation;
-    setup.has_index = material.ior.has_value();
-    setup.k = material.extinction.value_or(glm::vec3(0.0f));
-    if (setup.has_index) setup.surface.f0 = f0_from_index(*material.ior, setup.k);
+    if (!material.measured.empty()) {
+        set_measured(setup, material);
+    } else if (material.ior) {
+        set_index(setup, *material.ior, material.extinction.value_or(glm::vec3(0.0f)), material.outside_ior);
+    }
     setup.surface = surface_from_maps(material.albedo, material.metallic, material.roughness, setup);
-    setup.n = setup.has_index ? *material.ior : index_from_f0(setup.surface.f0);
-    if (!setup.has_index) setup.k = glm::vec3(0.0f);
+    if (!setup.has_index) setup.n = index_from_f0(setup.surface.f0);
 
-    if (setup.has_index) setup.f82_b = f82_coefficient_from_index(setup.n, setup.k);
-    if (material.fresnel == FresnelMethod::corrected_schlick) prepare_correction(setup);
-    if (material.fresnel == FresnelMethod::table) setup.table = fresnel_table(setup.n, setup.k);
+    if (material.f82) set_f82(setup, *material.f82);
+    prepare_correction(setup);
+    setup.has_bias = material.nvidia.has_value();
+    if (setup.has_bias) setup.nvidia = *material.nvidia;
+    if (material.fresnel == FresnelMethod::table) {
+        setup.table = setup.all_wavelengths ? spectral_fresnel_table(setup.spectrum, material.table_size)
+                                            : fresnel_table(setup.n, setup.k, material.table_size);
+    }
     if (material.energy_compensation == EnergyCompensation::kulla_conty) {
         setup.energy = compute_energy_table(material.distribution, material.geometry);
         setup.f_avg_shift = average_beyond_schlick(setup);
@@ -87,15 +128,21 @@ glm::vec3 fresnel_term(const CookTorranceSetup& setup, float c, const glm::vec3&
         case FresnelMethod::rescaled_schlick:
             return fresnel_schlick(c, f0);  // the same, see fresnel_rescaled_schlick
         case FresnelMethod::exact:
+            if (setup.all_wavelengths) return spectral_fresnel(c, setup.spectrum);
             return setup.has_index ? fresnel_conductor(c, setup.n, setup.k) : fresnel_dielectric(c, index_from_f0(f0));
+        case FresnelMethod::schlick_ior:
+            return fresnel_schlick_between(c, setup.has_index ? setup.n : index_from_f0(f0));
         case FresnelMethod::corrected_schlick:
             return fresnel_corrected_schlick(c, f0, setup.correction_a, setup.correction_lambda);
+        case FresnelMethod::corrected_schlick_as_printed:
+            return fresnel_corrected_schlick_as_printed(c, f0, setup.correction_a, setup.correction_lambda);
         case FresnelMethod::f82:
             return fresnel_f82(c, f0, setup.f82_b);
         case FresnelMethod::table:
             return fresnel_lookup(c, setup.table);
         case FresnelMethod::nvidia:
-            return fresnel_nvidia(c, f0, 1.0f - f0, setup.nvidia_power);
+            if (setup.has_bias) return glm::vec3(fresnel_nvidia(c, setup.nvidia.x, setup.nvidia.y, setup.nvidia.z));
+            return fresnel_nvidia(c, f0, 1.0f - f0, setup.nvidia.z);
         case FresnelMethod::none:
             return f0;
     }

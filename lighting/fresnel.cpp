@@ -30,17 +30,20 @@ glm::vec3 f82_coefficient_from_index(const glm::vec3& n, const glm::vec3& k) {
     return {f82_coefficient(f0.x, f82.x), f82_coefficient(f0.y, f82.y), f82_coefficient(f0.z, f82.z)};
 }
 
-FresnelTable fresnel_table(const glm::vec3& n, const glm::vec3& k, int size) {
+FresnelTable tabulate(const FresnelFunction& fresnel, int size) {
     KREDA_EXPECT(size >= 2);
     FresnelTable table;
     for (int i = 0; i < size; ++i) {
-        const float c = static_cast<float>(i) / static_cast<float>(size - 1);
-        const glm::vec3 F = fresnel_conductor(c, n, k);
+        const glm::vec3 F = fresnel(static_cast<float>(i) / static_cast<float>(size - 1));
         table.r.push_back(F.x);
         table.g.push_back(F.y);
         table.b.push_back(F.z);
     }
     return table;
+}
+
+FresnelTable fresnel_table(const glm::vec3& n, const glm::vec3& k, int size) {
+    return tabulate([&](float c) { return fresnel_conductor(c, n, k); }, size);
 }
 
 }  // namespace kreda::lighting

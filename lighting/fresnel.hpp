@@ -8,6 +8,7 @@
 #pragma once
 
 #include <cmath>
+#include <functional>
 #include <vector>
 
 #include <glm/vec3.hpp>
@@ -224,6 +225,10 @@ inline glm::vec3 fresnel_schlick(float c, const glm::vec3& f0) {
     return f0 + (1.0f - f0) * schlick_weight(c);
 }
 
+inline glm::vec3 fresnel_schlick_between(float c, const glm::vec3& n) {
+    return {fresnel_schlick_between(c, n.x), fresnel_schlick_between(c, n.y), fresnel_schlick_between(c, n.z)};
+}
+
 inline glm::vec3 fresnel_rescaled_schlick(float c, const glm::vec3& n, const glm::vec3& k) {
     return {fresnel_rescaled_schlick(c, n.x, k.x), fresnel_rescaled_schlick(c, n.y, k.y),
             fresnel_rescaled_schlick(c, n.z, k.z)};
@@ -232,6 +237,13 @@ inline glm::vec3 fresnel_rescaled_schlick(float c, const glm::vec3& n, const glm
 inline glm::vec3 fresnel_corrected_schlick(float c, const glm::vec3& f0, const glm::vec3& a, const glm::vec3& lambda) {
     return {fresnel_corrected_schlick(c, f0.x, a.x, lambda.x), fresnel_corrected_schlick(c, f0.y, a.y, lambda.y),
             fresnel_corrected_schlick(c, f0.z, a.z, lambda.z)};
+}
+
+inline glm::vec3 fresnel_corrected_schlick_as_printed(float c, const glm::vec3& f0, const glm::vec3& a,
+                                                      const glm::vec3& lambda) {
+    return {fresnel_corrected_schlick_as_printed(c, f0.x, a.x, lambda.x),
+            fresnel_corrected_schlick_as_printed(c, f0.y, a.y, lambda.y),
+            fresnel_corrected_schlick_as_printed(c, f0.z, a.z, lambda.z)};
 }
 
 inline glm::vec3 fresnel_f82(float c, const glm::vec3& f0, const glm::vec3& b) {
@@ -263,6 +275,12 @@ struct SchlickCorrection {
 
 /// b of fresnel_f82 for a metal of known n and k, each channel.
 [[nodiscard]] glm::vec3 f82_coefficient_from_index(const glm::vec3& n, const glm::vec3& k);
+
+/// F of three channels by c = cos theta.
+using FresnelFunction = std::function<glm::vec3(float)>;
+
+/// Any F at size >= 2 cosines.
+[[nodiscard]] FresnelTable tabulate(const FresnelFunction& fresnel, int size);
 
 /// The exact F of n + i k at size >= 2 cosines.
 [[nodiscard]] FresnelTable fresnel_table(const glm::vec3& n, const glm::vec3& k, int size = 256);

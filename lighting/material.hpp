@@ -4,25 +4,42 @@
 #include <optional>
 #include <string>
 
+#include <glm/vec2.hpp>
 #include <glm/vec3.hpp>
 
 namespace kreda::lighting {
 
-enum class ReflectionModel { unlit, lambert, phong, blinn_phong, ward, cook_torrance };
+enum class ReflectionModel { unlit, lambert, phong, blinn_phong, ward, heidrich_seidel, cook_torrance };
 enum class Distribution { ggx, beckmann, blinn_phong, gaussian };
 enum class Geometry { schlick_ggx, smith, smith_correlated, implicit, cook_torrance };
-enum class FresnelMethod { schlick, exact, rescaled_schlick, corrected_schlick, f82, table, nvidia, none };
+enum class FresnelMethod {
+    schlick,            ///< from F0
+    exact,
+    schlick_ior,        ///< from n alone; knows total reflection
+    rescaled_schlick,   ///< from n and k
+    corrected_schlick,  ///< in the form that gives its published errors
+    corrected_schlick_as_printed,  ///< falls below 0 at grazing angles: to show why not
+    f82,
+    table,
+    nvidia,
+    none
+};
+/// Where the indices of a measured material come from: all wavelengths, or one for each colour channel.
+enum class SpectrumUse { full, three };
 enum class EnergyCompensation { none, kulla_conty };
 enum class TextureFilter { nearest, bilinear, trilinear };
 enum class NormalMapY { up, down };
 
-/// Constants of the empirical models (Strachota 2020, section 3): unlit, lambert, phong, blinn_phong, ward.
+/// Constants of the local models (Strachota 2020, section 3): all but cook_torrance.
 struct PhongMaterial {
     glm::vec3 ambient{0.1f};   ///< m_A
     glm::vec3 diffuse{0.7f};   ///< m_D
     glm::vec3 specular{0.3f};  ///< m_S
     glm::vec3 emission{0.0f};  ///< m_E
     float shininess = 32.0f;   ///< h, the specular reflection exponent, >= 0
+    /// ward: widths of the lobe along and across the grain; without them one width from shininess
+    std::optional<glm::vec2> ward_alpha = std::nullopt;
+    glm::vec3 grain{0.0f, 1.0f, 0.0f};  ///< ward, heidrich_seidel: the way scratches or threads run, world space
 };
 
 /// Constants of the microfacet model (Gelemanovic 2018, section 2).
@@ -37,6 +54,12 @@ struct CookTorranceMaterial {
     EnergyCompensation energy_compensation = EnergyCompensation::none;
     std::optional<glm::vec3> ior;         ///< n per channel (685, 535, 475 nm); with it fresnel uses n and k
     std::optional<glm::vec3> extinction;  ///< k per channel
+    std::string measured;                 ///< instead of ior: a name of measured_materials()
+    SpectrumUse spectrum = SpectrumUse::full;  ///< of measured
+    float outside_ior = 1.0f;  ///< n of what lies before the surface: 1.33 under water. With ior or measured
+    int table_size = 256;                 ///< fresnel = table: samples, >= 2
+    std::optional<glm::vec3> nvidia;      ///< fresnel = nvidia: bias, scale, power; else F0, 1 - F0, 5
+    std::optional<glm::vec3> f82;         ///< fresnel = f82: F at cos theta = 1/7; else from n and k
 };
 
 /// Files that replace a constant of the same name. Empty: the constant holds.

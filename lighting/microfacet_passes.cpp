@@ -115,11 +115,52 @@ KREDA_BATCH_LOOP void find_dielectric(int lanes, MicrofacetChannels& m) {
     for (int i = 0; i < lanes; ++i) m.F.set(i, fresnel_dielectric(m.v_dot_h.at(i), index_from_f0(m.f0.at(i))));
 }
 
+/// Wavelength after wavelength, each over the whole batch: the sums stay in the order of spectral_fresnel.
+KREDA_BATCH_LOOP void add_wavelength(int lanes, const glm::vec3& color, float n, float k, MicrofacetChannels& m) {
+    const glm::vec3 share = color;
+    for (int i = 0; i < lanes; ++i) m.F.set(i, m.F.at(i) + share * fresnel_conductor(m.v_dot_h.at(i), n, k));
+}
+
+KREDA_BATCH_LOOP void start_spectrum(int lanes, MicrofacetChannels& m) {
+    for (int i = 0; i < lanes; ++i) m.F.set(i, glm::vec3(0.0f));  // not vectorized: GCC makes it calls of memset
+}
+
+void find_spectral(int lanes, const SpectralIndex& index, MicrofacetChannels& m) {
+    start_spectrum(lanes, m);
+    for (std::size_t w = 0; w < index.n.size(); ++w) add_wavelength(lanes, index.color[w], index.n[w], index.k[w], m);
+}
+
+void find_exact(int lanes, const CookTorranceSetup& setup, MicrofacetChannels& m) {
+    if (setup.all_wavelengths) return find_spectral(lanes, setup.spectrum, m);
+    if (setup.has_index) return find_conductor(lanes, setup.n, setup.k, m);
+    find_dielectric(lanes, m);
+}
+
+KREDA_BATCH_LOOP void find_schlick_between(int lanes, const glm::vec3& n, MicrofacetChannels& m) {
+    const glm::vec3 index = n;
+    for (int i = 0; i < lanes; ++i) m.F.set(i, fresnel_schlick_between(m.v_dot_h.at(i), index));
+}
+
+KREDA_BATCH_LOOP void find_schlick_between_from_f0(int lanes, MicrofacetChannels& m) {
+    for (int i = 0; i < lanes; ++i) {
+        m.F.set(i, fresnel_schlick_between(m.v_dot_h.at(i), index_from_f0(m.f0.at(i))));
+    }
+}
+
 KREDA_BATCH_LOOP void find_corrected(int lanes, const glm::vec3& a, const glm::vec3& lambda, MicrofacetChannels& m) {
     const glm::vec3 factor = a;
     const glm::vec3 power = lambda;
     for (int i = 0; i < lanes; ++i) {
         m.F.set(i, fresnel_corrected_schlick(m.v_dot_h.at(i), m.f0.at(i), factor, power));
+    }
+}
+
+KREDA_BATCH_LOOP void find_corrected_as_printed(int lanes, const glm::vec3& a, const glm::vec3& lambda,
+                                                MicrofacetChannels& m) {
+    const glm::vec3 factor = a;
+    const glm::vec3 power = lambda;
+    for (int i = 0; i < lanes; ++i) {
+        m.F.set(i, fresnel_corrected_schlick_as_printed(m.v_dot_h.at(i), m.f0.at(i), factor, power));
     }
 }
 
@@ -146,6 +187,13 @@ KREDA_BATCH_LOOP void find_nvidia(int lanes, float power, MicrofacetChannels& m)
     }
 }
 
+KREDA_BATCH_LOOP void find_nvidia_as_given(int lanes, const glm::vec3& bias_scale_power, MicrofacetChannels& m) {
+    const float bias = bias_scale_power.x;
+    const float scale = bias_scale_power.y;
+    const float power = bias_scale_power.z;
+    for (int i = 0; i < lanes; ++i) m.F.set(i, glm::vec3(fresnel_nvidia(m.v_dot_h.at(i), bias, scale, power)));
+}
+
 KREDA_BATCH_LOOP void find_constant(int lanes, MicrofacetChannels& m) {
     for (int i = 0; i < lanes; ++i) m.F.set(i, m.f0.at(i));  // not vectorized: GCC makes it calls of memcpy
 }
@@ -154,13 +202,18 @@ void find_fresnel(int lanes, const CookTorranceSetup& setup, MicrofacetChannels&
     switch (setup.fresnel) {
         case FresnelMethod::schlick:
         case FresnelMethod::rescaled_schlick: return find_schlick(lanes, m);
-        case FresnelMethod::exact:
-            return setup.has_index ? find_conductor(lanes, setup.n, setup.k, m) : find_dielectric(lanes, m);
+        case FresnelMethod::exact: return find_exact(lanes, setup, m);
+        case FresnelMethod::schlick_ior:
+            return setup.has_index ? find_schlick_between(lanes, setup.n, m) : find_schlick_between_from_f0(lanes, m);
         case FresnelMethod::corrected_schlick:
             return find_corrected(lanes, setup.correction_a, setup.correction_lambda, m);
+        case FresnelMethod::corrected_schlick_as_printed:
+            return find_corrected_as_printed(lanes, setup.correction_a, setup.correction_lambda, m);
         case FresnelMethod::f82: return find_f82(lanes, setup.f82_b, m);
         case FresnelMethod::table: return find_in_table(lanes, setup.table, m);
-        case FresnelMethod::nvidia: return find_nvidia(lanes, setup.nvidia_power, m);
+        case FresnelMethod::nvidia:
+            if (setup.has_bias) return find_nvidia_as_given(lanes, setup.nvidia, m);
+            return find_nvidia(lanes, setup.nvidia.z, m);
         case FresnelMethod::none: return find_constant(lanes, m);
     }
 }
@@ -172,9 +225,7 @@ KREDA_BATCH_LOOP void add_light(int lanes, LightingChannels& c) {
     for (int i = 0; i < lanes; ++i) {
         const ReflectedTerms terms = combine_terms(m.n_dot_l.at(i), m.D.at(i), m.V.at(i), m.F.at(i), m.albedo.at(i),
                                                    m.metallic.at(i));
-        const glm::vec3 s = c.irradiance.at(i);
-        c.diffuse.set(i, c.diffuse.at(i) + s * terms.diffuse);
-        c.specular.set(i, c.specular.at(i) + s * terms.specular);
+        add_terms(c, i, terms);
     }
 }
 

@@ -2,7 +2,7 @@
 
 #include "lighting/microfacet_passes.hpp"
 #include "lighting/reflection.hpp"
-#include "lighting/ward.hpp"
+#include "lighting/ward_passes.hpp"
 #include "raster/platform.hpp"
 
 namespace kreda::lighting {
@@ -65,13 +65,6 @@ KREDA_BATCH_LOOP void sample_spot_light(const Fragments& f, int lanes, const Lig
     }
 }
 
-/// Add one light's reflection at point i to the sums.
-inline void add_terms(LightingChannels& c, int i, const ReflectedTerms& terms) {
-    const glm::vec3 s = c.irradiance.at(i);
-    c.diffuse.set(i, c.diffuse.at(i) + s * terms.diffuse);
-    c.specular.set(i, c.specular.at(i) + s * terms.specular);
-}
-
 KREDA_BATCH_LOOP void add_lambert(int lanes, const PhongMaterial& material, LightingChannels& c) {
     const PhongMaterial m = material;
     for (int i = 0; i < lanes; ++i) add_terms(c, i, lambert(c.n.at(i), c.l.at(i), m));
@@ -85,11 +78,6 @@ KREDA_BATCH_LOOP void add_phong(int lanes, const PhongMaterial& material, Lighti
 KREDA_BATCH_LOOP void add_blinn_phong(int lanes, const PhongMaterial& material, LightingChannels& c) {
     const PhongMaterial m = material;
     for (int i = 0; i < lanes; ++i) add_terms(c, i, blinn_phong(c.n.at(i), c.l.at(i), c.v.at(i), m));
-}
-
-KREDA_BATCH_LOOP void add_ward(int lanes, const PhongMaterial& material, LightingChannels& c) {
-    const PhongMaterial m = material;
-    for (int i = 0; i < lanes; ++i) add_terms(c, i, ward(c.n.at(i), c.l.at(i), c.v.at(i), m));
 }
 
 KREDA_BATCH_LOOP void shadow_irradiance(int lanes, LightingChannels& c) {
@@ -162,6 +150,7 @@ void start_lighting(const Fragments& fragments, const MaterialSetup& material, c
     if (model == ReflectionModel::unlit) return;
     surface_directions(fragments, lanes, setup, channels);
     if (setup.orthographic) same_view_everywhere(lanes, -setup.forward, channels);
+    if (needs_grain(material.material)) find_grain(fragments.count, material.material.phong, channels);
     if (model == ReflectionModel::cook_torrance) {
         fill_surface(fragments.count, material.cook_torrance, channels.microfacet);
     }
@@ -188,7 +177,8 @@ void add_reflection(int count, const MaterialSetup& setup, LightingChannels& c) 
         case ReflectionModel::lambert: return add_lambert(lanes, m, c);
         case ReflectionModel::phong: return add_phong(lanes, m, c);
         case ReflectionModel::blinn_phong: return add_blinn_phong(lanes, m, c);
-        case ReflectionModel::ward: return add_ward(lanes, m, c);
+        case ReflectionModel::ward: return add_ward(count, m, c);
+        case ReflectionModel::heidrich_seidel: return add_heidrich_seidel(count, m, c);
         case ReflectionModel::cook_torrance: return add_cook_torrance(count, setup.cook_torrance, c);
     }
 }

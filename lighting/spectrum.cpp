@@ -59,6 +59,13 @@ float fresnel_at(const MeasuredMaterial& material, float c, double wavelength) {
     return fresnel_conductor(c, static_cast<float>(index.n), static_cast<float>(index.k));
 }
 
+SpectralColors colors_of(const FresnelFunction& fresnel) {
+    const glm::vec3 f0 = fresnel(1.0f);
+    const glm::vec3 f82 = fresnel(1.0f / 7.0f);
+    const glm::vec3 b{f82_coefficient(f0.x, f82.x), f82_coefficient(f0.y, f82.y), f82_coefficient(f0.z, f82.z)};
+    return {f0, f82, b};
+}
+
 }  // namespace
 
 const MeasuredMaterial* find_measured(std::string_view name) {
@@ -126,23 +133,40 @@ glm::vec3 spectral_fresnel_of_few(const MeasuredMaterial& material, float c, int
     return sum.color();
 }
 
+SpectralIndex spectral_index(const MeasuredMaterial& material, float outside_ior) {
+    SpectralIndex index;
+    dvec3 white(0.0);
+    const auto samples = observer_samples();
+    for (const ObserverSample& s : samples) white += weight(s);
+    for (std::size_t i = 0; i < samples.size(); ++i) {
+        const IndexSample inside = index_at(material, samples[i].wavelength);
+        index.n[i] = static_cast<float>(inside.n / outside_ior);
+        index.k[i] = static_cast<float>(inside.k / outside_ior);
+        index.color[i] = glm::vec3(srgb_from_xyz(weight(samples[i])) / srgb_from_xyz(white));
+    }
+    return index;
+}
+
+glm::vec3 spectral_fresnel(float c, const SpectralIndex& index) {
+    glm::vec3 F(0.0f);
+    for (std::size_t i = 0; i < index.n.size(); ++i) F += index.color[i] * fresnel_conductor(c, index.n[i], index.k[i]);
+    return F;
+}
+
 SpectralColors spectral_colors(const MeasuredMaterial& material) {
-    const glm::vec3 f0 = spectral_fresnel(material, 1.0f);
-    const glm::vec3 f82 = spectral_fresnel(material, 1.0f / 7.0f);
-    const glm::vec3 b{f82_coefficient(f0.x, f82.x), f82_coefficient(f0.y, f82.y), f82_coefficient(f0.z, f82.z)};
-    return {f0, f82, b};
+    return colors_of([&](float c) { return spectral_fresnel(material, c); });
+}
+
+SpectralColors spectral_colors(const SpectralIndex& index) {
+    return colors_of([&](float c) { return spectral_fresnel(c, index); });
 }
 
 FresnelTable spectral_fresnel_table(const MeasuredMaterial& material, int size) {
-    KREDA_EXPECT(size >= 2);
-    FresnelTable table;
-    for (int i = 0; i < size; ++i) {
-        const glm::vec3 F = spectral_fresnel(material, static_cast<float>(i) / static_cast<float>(size - 1));
-        table.r.push_back(F.x);
-        table.g.push_back(F.y);
-        table.b.push_back(F.z);
-    }
-    return table;
+    return tabulate([&](float c) { return spectral_fresnel(material, c); }, size);
+}
+
+FresnelTable spectral_fresnel_table(const SpectralIndex& index, int size) {
+    return tabulate([&](float c) { return spectral_fresnel(c, index); }, size);
 }
 
 }  // namespace kreda::lighting

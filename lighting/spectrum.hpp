@@ -78,6 +78,19 @@ using Spectrum = std::array<double, kSpectrumSamples>;
 /// Its colour: the oracle.
 [[nodiscard]] glm::vec3 spectral_fresnel(const MeasuredMaterial& material, float c);
 
+/// What an exact spectral F needs in a batch loop: n + i k at the observer's wavelengths, relative to the medium before
+/// the surface, and the colour of each wavelength as it comes to linear sRGB. The colours add up to white.
+struct SpectralIndex {
+    std::array<float, kSpectrumSamples> n{};
+    std::array<float, kSpectrumSamples> k{};
+    std::array<glm::vec3, kSpectrumSamples> color{};
+};
+
+[[nodiscard]] SpectralIndex spectral_index(const MeasuredMaterial& material, float outside_ior = 1.0f);
+
+/// The oracle in float   F = sum over wavelengths  color F(c, n, k)
+[[nodiscard]] glm::vec3 spectral_fresnel(float c, const SpectralIndex& index);
+
 /// The same from few wavelengths only, in the middles of `count` equal parts of 400 to 700 nm.
 [[nodiscard]] glm::vec3 spectral_fresnel_of_few(const MeasuredMaterial& material, float c, int count);
 
@@ -89,8 +102,10 @@ struct SpectralColors {
 };
 
 [[nodiscard]] SpectralColors spectral_colors(const MeasuredMaterial& material);
+[[nodiscard]] SpectralColors spectral_colors(const SpectralIndex& index);
 
 /// The oracle as a table for fresnel_lookup.
 [[nodiscard]] FresnelTable spectral_fresnel_table(const MeasuredMaterial& material, int size = 256);
+[[nodiscard]] FresnelTable spectral_fresnel_table(const SpectralIndex& index, int size = 256);
 
 }  // namespace kreda::lighting

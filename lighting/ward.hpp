@@ -70,6 +70,33 @@ inline ReflectedTerms ward(const glm::vec3& n, const glm::vec3& l, const glm::ve
     return {m.diffuse * angles.n_dot_l, m.specular * (raster::kPi * f * angles.n_dot_l)};
 }
 
+/// Ward's anisotropic model of one light: the widths alpha along and across the grain t.
+inline ReflectedTerms ward_brushed(const glm::vec3& n, const glm::vec3& t, const glm::vec3& l, const glm::vec3& v,
+                                   const PhongMaterial& m, const glm::vec2& alpha) {
+    const glm::vec3 b = glm::cross(n, t);
+    const float f = ward_anisotropic(n, t, b, l, v, alpha.x, alpha.y);
+    const float n_dot_l = positive_dot(n, l);
+    return {m.diffuse * n_dot_l, m.specular * (raster::kPi * f * n_dot_l)};
+}
+
+/// Some unit vector at right angles to n, unit.                                                  Duff et al. 2017
+inline glm::vec3 any_tangent(const glm::vec3& n) {
+    const float sign = n.z >= 0.0f ? 1.0f : -1.0f;
+    const float a = -1.0f / (sign + n.z);
+    return {1.0f + sign * n.x * n.x * a, sign * n.x * n.y * a, -sign * n.x};
+}
+
+/// The grain's direction within the surface   t = (g - (g.n) n) / |g - (g.n) n|.   Where the grain runs straight
+/// into the surface it has none there: any tangent will do.
+inline glm::vec3 tangent_of_grain(const glm::vec3& grain, const glm::vec3& n) {
+    const glm::vec3 within = grain - glm::dot(grain, n) * n;
+    const float length2 = glm::dot(within, within);
+    const glm::vec3 t = within * (1.0f / std::sqrt(length2 > 1e-12f ? length2 : 1e-12f));
+    const glm::vec3 other = any_tangent(n);
+    const bool runs_within = length2 > 1e-8f;
+    return {runs_within ? t.x : other.x, runs_within ? t.y : other.y, runs_within ? t.z : other.z};
+}
+
 /// sqrt(1 - x^2) for |x| <= 1
 inline float sine_from_cosine(float x) {
     const float s2 = (1.0f - x) * (1.0f + x);

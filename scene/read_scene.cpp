@@ -6,11 +6,11 @@
 #include <cstring>
 #include <filesystem>
 #include <fstream>
-#include <set>
 
 #include <glm/geometric.hpp>
 
 #include "scene/overrides.hpp"
+#include "scene/read_materials.hpp"
 #include "scene/read_objects.hpp"
 #include "scene/toml_check.hpp"
 
@@ -144,51 +144,6 @@ lighting::Fog read_fog(const Value& table) {
     read_word(table, "distance", fog.distance);
     read_word(table, "frequency", fog.frequency);
     return fog;
-}
-
-lighting::CookTorranceMaterial read_cook_torrance(const Value& table) {
-    lighting::CookTorranceMaterial material;
-    read(table, "albedo", material.albedo);
-    read(table, "metallic", material.metallic);
-    read(table, "roughness", material.roughness);
-    read(table, "ao", material.ao);
-    read_word(table, "distribution", material.distribution);
-    read_word(table, "geometry", material.geometry);
-    read_word(table, "fresnel", material.fresnel);
-    read_word(table, "energy_compensation", material.energy_compensation);
-    if (find(table, "ior")) read(table, "ior", material.ior.emplace());
-    if (const Value* k = find(table, "extinction")) {
-        if (!material.ior) {
-            throw UserError(k->place, "'extinction' in [[material]] needs 'ior' beside it: a metal has both n and k");
-        }
-        read(table, "extinction", material.extinction.emplace());
-    }
-    return material;
-}
-
-lighting::Material read_material(const Value& table) {
-    lighting::Material material;
-    read(table, "name", material.name);
-    read_word(table, "model", material.model);
-    read(table, "ambient", material.phong.ambient);
-    read(table, "diffuse", material.phong.diffuse);
-    read(table, "specular", material.phong.specular);
-    read(table, "emission", material.phong.emission);
-    read(table, "shininess", material.phong.shininess);
-    material.cook_torrance = read_cook_torrance(table);
-    return material;
-}
-
-void read_materials(const Value& tables, Scene& scene) {
-    std::set<std::string> names;
-    for (const Value& table : tables.items) {
-        const lighting::Material material = read_material(table);
-        if (!names.insert(material.name).second) {
-            const std::string what = "there is already a material " + in_quotes(material.name);
-            throw UserError(place_of(table, "name"), what + "; each [[material]] needs its own name");
-        }
-        scene.materials.push_back(material);
-    }
 }
 
 Scene build_scene(const Value& root, const std::string& name, const std::string& folder, const ReadOptions& options) {

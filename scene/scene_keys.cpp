@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cstdio>
 
+#include "lighting/spectrum.hpp"
+
 namespace kreda::scene {
 
 namespace {
@@ -13,6 +15,14 @@ constexpr Range kAny{};
 constexpr Range kNotNegative{0.0, 1e9};
 constexpr Range kPositive{1e-9, 1e9};
 constexpr Range kShare{0.0, 1.0};
+constexpr Range kIndex{0.1, 10.0};
+constexpr Range kWardAlpha{0.002, 1.0};  // narrower than the least alpha of a microfacet: it would glitter
+
+std::vector<std::string_view> measured_names() {
+    std::vector<std::string_view> names;
+    for (const lighting::MeasuredMaterial& material : lighting::measured_materials()) names.push_back(material.name);
+    return names;
+}
 
 std::vector<KeyInfo> make_keys() {
     return {
@@ -70,12 +80,18 @@ std::vector<KeyInfo> make_keys() {
 
         {"material", "name", text, "\"default\"", "what objects call it", kAny, {}, "\"gold\""},
         {"material", "model", word, "\"blinn_phong\"", "the reflection model", kAny,
-         {"unlit", "lambert", "phong", "blinn_phong", "ward", "cook_torrance"}, ""},
+         {"unlit", "lambert", "phong", "blinn_phong", "ward", "heidrich_seidel", "cook_torrance"}, ""},
         {"material", "ambient", vector, "[0.1, 0.1, 0.1]", "m_A", kNotNegative, {}, ""},
         {"material", "diffuse", vector, "[0.7, 0.7, 0.7]", "m_D", kNotNegative, {}, ""},
         {"material", "specular", vector, "[0.3, 0.3, 0.3]", "m_S", kNotNegative, {}, ""},
         {"material", "emission", vector, "[0, 0, 0]", "m_E", kNotNegative, {}, ""},
         {"material", "shininess", number, "32", "h: the exponent of the highlight", kNotNegative, {}, ""},
+
+        {"material", "ward_alpha", number_pair, "",
+         "ward: widths of the highlight along the grain and across it; without it from shininess", kWardAlpha, {},
+         "[0.05, 0.4]"},
+        {"material", "grain", vector, "[0, 1, 0]",
+         "ward with ward_alpha, heidrich_seidel: the way scratches or threads run, in world space", kAny, {}, ""},
 
         {"material", "albedo", vector, "[0.8, 0.8, 0.8]", "cook_torrance: base colour", kShare, {}, "[1, 0.78, 0.34]"},
         {"material", "metallic", number, "0", "cook_torrance: 0 dielectric, 1 metal", kShare, {}, ""},
@@ -86,13 +102,26 @@ std::vector<KeyInfo> make_keys() {
         {"material", "geometry", word, "\"schlick_ggx\"", "cook_torrance: G", kAny,
          {"schlick_ggx", "smith", "smith_correlated", "implicit", "cook_torrance"}, ""},
         {"material", "fresnel", word, "\"schlick\"", "cook_torrance: F", kAny,
-         {"schlick", "exact", "rescaled_schlick", "corrected_schlick", "f82", "table", "nvidia", "none"}, ""},
+         {"schlick", "exact", "schlick_ior", "rescaled_schlick", "corrected_schlick", "corrected_schlick_as_printed",
+          "f82", "table", "nvidia", "none"}, ""},
+        {"material", "table_size", whole, "256", "fresnel = \"table\": samples from 90 degrees to 0", {2, 65536}, {},
+         ""},
+        {"material", "nvidia", vector, "", "fresnel = \"nvidia\": bias, scale, power; without it F0, 1 - F0, 5",
+         kNotNegative, {}, "[0.04, 0.96, 5]"},
+        {"material", "f82", vector, "", "fresnel = \"f82\": colour at 82 degrees; without it from n and k", kShare, {},
+         "[0.83, 0.86, 0.89]"},
         {"material", "energy_compensation", word, "\"none\"", "cook_torrance: light that bounces more than once", kAny,
          {"none", "kulla_conty"}, ""},
         {"material", "ior", vector, "", "cook_torrance: n per channel; F0 then comes from n and k", kPositive, {},
          "[0.18, 0.42, 1.37]"},
         {"material", "extinction", vector, "", "cook_torrance: k per channel, with ior; without it 0", kNotNegative, {},
          "[3.42, 2.35, 1.77]"},
+
+        {"material", "measured", word, "", "cook_torrance: n and k as somebody measured them; a metal is metallic = 1",
+         kAny, measured_names(), "\"gold\""},
+        {"material", "spectrum", word, "\"full\"", "of measured: every wavelength, or 685, 535, 475 nm alone", kAny,
+         {"full", "three"}, ""},
+        {"material", "outside_ior", number, "1", "n of what lies before the surface: 1.33 under water", kIndex, {}, ""},
 
         {"object", "mesh", text, "", "an OBJ file, or a built-in shape", kAny, {}, "\"teapot\""},
         {"object", "detail", whole, "", "built-in shapes: subdivisions; each shape has its own default", {1, 4096}, {}, "64"},

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <limits>
 
+#include "lighting/ward_passes.hpp"
 #include "raster/film.hpp"
 #include "scene/plan.hpp"
 
@@ -26,6 +27,10 @@ bool lit_by_lights(const RenderPlan& plan, std::uint32_t material) {
     return lit_at_pixels(plan, material) && plan.has_lights;
 }
 
+bool has_grain(const RenderPlan& plan, std::uint32_t material) {
+    return lit_at_pixels(plan, material) && needs_grain(plan.materials[material].material);
+}
+
 bool is_microfacet(const RenderPlan& plan, std::uint32_t material) {
     return lit_at_pixels(plan, material) && plan.materials[material].material.model == ReflectionModel::cook_torrance;
 }
@@ -44,6 +49,8 @@ constexpr const char* kLights = "shading.frequency = \"phong\", a material that 
 constexpr const char* kMicrofacet = "shading.frequency = \"phong\" and a material with model = \"cook_torrance\"";
 constexpr const char* kLitMicrofacet =
     "shading.frequency = \"phong\", a material with model = \"cook_torrance\" and a light";
+constexpr const char* kGrain =
+    "shading.frequency = \"phong\" and a material with model = \"heidrich_seidel\", or \"ward\" and ward_alpha";
 constexpr const char* kFog = "fog.mode that is not \"none\"";
 
 /// G from V = G / (4 (n.l)(n.v)).
@@ -66,6 +73,8 @@ std::vector<View> make_views() {
          [](const Batch& b, int i, int c) { return b.lighting.n.at(i)[c]; }},
         {"to_viewer", "v: unit, to the viewer", kLit, 3, direction, kNothing, lit_at_pixels,
          [](const Batch& b, int i, int c) { return b.lighting.v.at(i)[c]; }},
+        {"grain", "t: unit, the way scratches or threads run, world space", kGrain, 3, direction, kNothing, has_grain,
+         [](const Batch& b, int i, int c) { return b.lighting.t.at(i)[c]; }},
         {"albedo", "c: base colour", kMicrofacet, 3, color, kNothing, is_microfacet,
          [](const Batch& b, int i, int c) { return b.lighting.microfacet.albedo.at(i)[c]; }},
         {"metallic", "0 dielectric .. 1 metal", kMicrofacet, 1, share, kNothing, is_microfacet,

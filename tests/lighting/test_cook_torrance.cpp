@@ -21,9 +21,11 @@ constexpr std::array kDistributions = {Distribution::ggx, Distribution::beckmann
                                        Distribution::gaussian};
 constexpr std::array kGeometries = {Geometry::schlick_ggx, Geometry::smith, Geometry::smith_correlated,
                                     Geometry::implicit, Geometry::cook_torrance};
+/// All but corrected_schlick_as_printed, which falls below 0.
 constexpr std::array kFresnelMethods = {
-    FresnelMethod::schlick, FresnelMethod::exact, FresnelMethod::rescaled_schlick, FresnelMethod::corrected_schlick,
-    FresnelMethod::f82,     FresnelMethod::table, FresnelMethod::nvidia,           FresnelMethod::none};
+    FresnelMethod::schlick,           FresnelMethod::exact, FresnelMethod::schlick_ior, FresnelMethod::rescaled_schlick,
+    FresnelMethod::corrected_schlick, FresnelMethod::f82,   FresnelMethod::table,       FresnelMethod::nvidia,
+    FresnelMethod::none};
 
 const vec3 kN(0.0f, 0.0f, 1.0f);
 
@@ -170,6 +172,10 @@ TEST_CASE("Cook-Torrance: each Fresnel method is its formula") {
         CHECK(near(F(FresnelMethod::schlick), fresnel_schlick(c, f0)));
         CHECK(near(F(FresnelMethod::exact), fresnel_conductor(c, n, k)));
         CHECK(near(F(FresnelMethod::rescaled_schlick), fresnel_rescaled_schlick(c, n, k)));
+        CHECK(near(F(FresnelMethod::schlick_ior), fresnel_schlick_between(c, n)));
+        const SchlickCorrection red = fit_correction_as_printed(n.x, k.x);
+        CHECK(F(FresnelMethod::corrected_schlick_as_printed).x ==
+              doctest::Approx(fresnel_corrected_schlick_as_printed(c, f0.x, red.a, red.lambda)).epsilon(1e-6));
         CHECK(near(F(FresnelMethod::f82), fresnel_f82(c, f0, f82_coefficient_from_index(n, k))));
         CHECK(near(F(FresnelMethod::none), f0));
         CHECK(near(F(FresnelMethod::nvidia), fresnel_schlick(c, f0)));  // bias F0, scale 1 - F0, power 5
@@ -226,4 +232,78 @@ TEST_CASE("Cook-Torrance: maps replace the constants and keep the F0 of a measur
     const CookTorranceSetup gold = prepare(gold_by_index());
     CHECK(surface_from_maps(vec3(0.2f), 1.0f, 0.5f, gold).f0 == gold.surface.f0);
     CHECK(gold.surface.f0.x == doctest::Approx(0.945998).epsilon(1e-6));
+}
+
+TEST_CASE("Cook-Torrance: a measured metal has the colours of its whole spectrum or of three wavelengths") {
+    CookTorranceMaterial m;
+    m.measured = "copper";
+    m.metallic = 1.0f;
+    const MeasuredMaterial& copper = *find_measured("copper");
+    const auto F = [&](FresnelMethod method, float c) {
+        m.fresnel = method;
+        const CookTorranceSetup setup = prepare(m);
+        return fresnel_term(setup, c, setup.surface.f0);
+    };
+    const auto near = [](const vec3& a, const vec3& b, float tolerance) { return glm::length(a - b) < tolerance; };
+    for (const float c : {0.0f, 1.0f / 7.0f, 0.5f, 1.0f}) {
+        CAPTURE(c);
+        const vec3 exact = spectral_fresnel(copper, c);  // the oracle, summed in double
+        CHECK(near(F(FresnelMethod::exact, c), exact, 1e-6f));
+        CHECK(near(F(FresnelMethod::table, c), exact, 1e-4f));  // 256 samples
+    }
+    CHECK(near(F(FresnelMethod::f82, 1.0f / 7.0f), spectral_fresnel(copper, 1.0f / 7.0f), 1e-6f));
+    CHECK(near(F(FresnelMethod::schlick, 1.0f), spectral_fresnel(copper, 1.0f), 1e-6f));
+    m.spectrum = SpectrumUse::three;
+    const ThreeChannelIndex index = three_channel_index(copper);
+    CHECK(F(FresnelMethod::exact, 0.3f) == fresnel_conductor(0.3f, index.n, index.k));
+    CHECK(needs_three_indices(FresnelMethod::corrected_schlick));
+    CHECK_FALSE(needs_three_indices(FresnelMethod::f82));
+}
+
+TEST_CASE("Cook-Torrance: from within a denser medium all light is reflected beyond the critical angle") {
+    CookTorranceMaterial bubble;  // air in glass, seen from the glass
+    bubble.ior = vec3(1.0f);
+    bubble.outside_ior = 1.5f;
+    bubble.fresnel = FresnelMethod::exact;
+    const CookTorranceSetup setup = prepare(bubble);
+    CHECK(setup.surface.f0.x == doctest::Approx(0.04).epsilon(1e-6));
+    CHECK(fresnel_term(setup, 0.7f, setup.surface.f0) == vec3(1.0f));  // 45.6 degrees, beyond asin(1 / 1.5) = 41.8
+    CHECK(fresnel_term(setup, 0.8f, setup.surface.f0).x < 0.2f);       // 36.9 degrees
+    bubble.fresnel = FresnelMethod::schlick_ior;
+    const CookTorranceSetup approximate = prepare(bubble);
+    CHECK(fresnel_term(approximate, 0.7f, setup.surface.f0).x == doctest::Approx(1.0).epsilon(1e-6));
+    bubble.fresnel = FresnelMethod::schlick;
+    CHECK(fresnel_term(prepare(bubble), 0.7f, setup.surface.f0).x < 0.05f);  // knows nothing of it
+}
+
+TEST_CASE("Cook-Torrance: under water glass shows a fifth of the reflection that it shows in air") {
+    CookTorranceMaterial glass;
+    glass.ior = vec3(1.5f);
+    CHECK(prepare(glass).surface.f0.x == doctest::Approx(0.04).epsilon(1e-6));
+    glass.outside_ior = 1.333f;
+    CHECK(prepare(glass).surface.f0.x == doctest::Approx(std::pow(0.167 / 2.833, 2)).epsilon(1e-5));
+    glass.ior.reset();
+    glass.measured = "diamond";
+    const double n = 2.4226 / 1.333;  // at 550 nm
+    CHECK(prepare(glass).surface.f0.y == doctest::Approx(std::pow((n - 1.0) / (n + 1.0), 2)).epsilon(5e-3));
+    glass.measured = "water";  // the same on both sides: nothing is there
+    glass.outside_ior = 1.3345f;
+    CHECK(prepare(glass).surface.f0.y < 1e-5f);
+}
+
+TEST_CASE("Cook-Torrance: the colour at 82 degrees and bias and scale and power may be given") {
+    CookTorranceMaterial m;
+    m.albedo = vec3(0.91f, 0.92f, 0.92f);
+    m.metallic = 1.0f;
+    m.f82 = vec3(0.83f, 0.86f, 0.89f);
+    m.fresnel = FresnelMethod::f82;
+    const CookTorranceSetup aluminium = prepare(m);
+    CHECK(glm::length(fresnel_term(aluminium, 1.0f / 7.0f, aluminium.surface.f0) - *m.f82) < 1e-6f);
+    m.nvidia = vec3(0.1f, 0.5f, 2.0f);
+    m.fresnel = FresnelMethod::nvidia;
+    CHECK(fresnel_term(prepare(m), 0.5f, m.albedo).x == doctest::Approx(0.1 + 0.5 * 0.25).epsilon(1e-6));
+    m.fresnel = FresnelMethod::table;
+    m.table_size = 2;  // a straight line from 1 at 90 degrees to F0
+    const CookTorranceSetup line = prepare(m);
+    CHECK(fresnel_term(line, 0.5f, m.albedo).x == doctest::Approx(0.5 * (1.0 + line.surface.f0.x)).epsilon(1e-4));
 }

@@ -1,4 +1,5 @@
 // Ward's and Heidrich and Seidel's models: symmetry, energy, and values by hand.
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <numbers>
@@ -129,4 +130,87 @@ TEST_CASE("Heidrich-Seidel: a thread is brightest where light and view mirror in
     CHECK(heidrich_seidel(kN, kT, kN, kN, m).diffuse.x == 1.0f);
     CHECK(heidrich_seidel(kN, kT, l, kN, m).diffuse.x == doctest::Approx(std::cos(0.5) * std::cos(0.5)).epsilon(1e-6));
     CHECK(heidrich_seidel(kN, kT, -kN, kN, m).specular.x == 0.0f);
+}
+
+TEST_CASE("Grain: the tangent is unit and in the surface and nearest to the grain") {
+    for (const double theta : {0.0, 0.4, 1.2, 2.0, pi}) {
+        for (const double phi : {0.0, 1.0, 4.0}) {
+            const vec3 n = direction(theta, phi);
+            for (const vec3& grain : {vec3(0.0f, 1.0f, 0.0f), vec3(0.6f, 0.0f, 0.8f), n, -n}) {
+                const vec3 t = tangent_of_grain(grain, n);
+                CHECK(glm::length(t) == doctest::Approx(1.0).epsilon(1e-6));
+                CHECK(std::abs(glm::dot(t, n)) < 1e-4f);  // a grain 1e-4 from the normal leaves that many digits
+            }
+            const vec3 t = tangent_of_grain(kT, n);
+            const double sine = std::sqrt(1.0 - static_cast<double>(n.x) * n.x);  // the best that a tangent can do
+            if (sine > 0.01) CHECK(t.x == doctest::Approx(sine).epsilon(1e-5));
+        }
+    }
+}
+
+TEST_CASE("Ward: with equal widths the brushed model is the plain one of that width") {
+    PhongMaterial m;
+    m.shininess = 30.0f;  // alpha = sqrt(2 / 32) = 0.25
+    const vec3 v = direction(0.4, 3.0);
+    for (const double theta : {0.1, 0.5, 1.0}) {
+        const vec3 l = direction(theta, 0.3);
+        const ReflectedTerms plain = ward(kN, l, v, m), brushed = ward_brushed(kN, kT, l, v, m, glm::vec2(0.25f));
+        CHECK(brushed.specular.x == doctest::Approx(plain.specular.x).epsilon(1e-4));  // the exponent is up to 30
+        CHECK(brushed.diffuse.x == plain.diffuse.x);
+    }
+}
+
+namespace {
+
+/// Ward 1992 eq. (5) in double from the same float vectors, by tan and azimuth instead of dot products.
+double ward_reference(const vec3& t_, const vec3& l_, const vec3& v_, double alpha_t, double alpha_b) {
+    const glm::dvec3 l(l_), v(v_), h = glm::normalize(l + v);
+    const double c = h.z, tan2 = (h.x * h.x + h.y * h.y) / (c * c);
+    const double azimuth = std::atan2(h.y, h.x) - std::atan2(double{t_.y}, double{t_.x});
+    const double width = std::pow(std::cos(azimuth) / alpha_t, 2) + std::pow(std::sin(azimuth) / alpha_b, 2);
+    return std::exp(-tan2 * width) / (4.0 * pi * alpha_t * alpha_b * std::sqrt(l.z * v.z));
+}
+
+double heidrich_seidel_reference(const vec3& l_, const vec3& v_, double shininess) {
+    const double l_t = l_.x, v_t = v_.x;  // angles to the thread: the mirror cosine is cos(angle difference)
+    const double mirrored = std::cos(std::acos(std::clamp(v_t, -1.0, 1.0)) - (pi - std::acos(std::clamp(l_t, -1.0, 1.0))));
+    return std::pow(std::max(mirrored, 0.0), shininess) * l_.z;
+}
+
+}  // namespace
+
+TEST_CASE("Ward and Heidrich-Seidel: float follows double from narrow to wide up to grazing") {
+    PhongMaterial m;
+    m.specular = vec3(1.0f);
+    double worst_ward = 0.0, worst_threads = 0.0;
+    for (const float alpha : {0.01f, 0.05f, 0.2f, 1.0f}) {
+        for (int i = 0; i < 2000; ++i) {
+            const double theta = i % 2 == 0 ? 1.57 * i / 2000.0 : 0.5 * pi - 1e-3 * i / 2000.0 - 1e-6;
+            const double phi = 0.37 * i;
+            const vec3 l = direction(theta, phi);
+            const vec3 v = direction(std::min(theta + alpha * std::sin(1.1 * i), 1.5707), phi + pi + alpha * std::cos(0.7 * i));
+            const vec3 t = direction(0.5 * pi, 0.11 * i);
+            const vec3 flat_t = glm::normalize(vec3(t.x, t.y, 0.0f));
+            const double exact = ward_reference(flat_t, l, v, alpha, 0.3);
+            // l and v are rounded by 6e-8: that turns h by 6e-8 / |l + v| and the exponent, up to 30, by twice the
+            // slope times that over alpha.
+            const double v_h = 0.5 * glm::length(l + v);
+            const double bound = 1e-5 + 2e-6 / (alpha * v_h);
+            if (exact > 1e-10) {
+                const double error = std::abs(ward_anisotropic(kN, flat_t, glm::cross(kN, flat_t), l, v, alpha, 0.3f) / exact - 1.0);
+                worst_ward = std::max(worst_ward, error / bound);
+            }
+            for (const float shininess : {1.0f, 30.0f, 1000.0f}) {
+                m.shininess = shininess;
+                const double threads = heidrich_seidel_reference(l, v, shininess);
+                if (threads < 1e-10) continue;
+                const double error = std::abs(heidrich_seidel(kN, kT, l, v, m).specular.x / threads - 1.0);
+                worst_threads = std::max(worst_threads, error / (1e-6 + 4e-7 * shininess));  // a cosine's rounding, h times
+            }
+        }
+    }
+    CAPTURE(worst_ward);
+    CAPTURE(worst_threads);
+    CHECK(worst_ward < 1.0);
+    CHECK(worst_threads < 1.0);
 }

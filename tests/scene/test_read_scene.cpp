@@ -1,5 +1,6 @@
 #include <doctest/doctest.h>
 
+#include "lighting/spectrum.hpp"
 #include "scene/read_scene.hpp"
 #include "scene/scene_keys.hpp"
 
@@ -175,9 +176,49 @@ TEST_CASE("The words of cook_torrance stand in the order of their enumerators") 
     CHECK(material("fresnel = 'exact'").fresnel == FresnelMethod::exact);
     CHECK(material("fresnel = 'rescaled_schlick'").fresnel == FresnelMethod::rescaled_schlick);
     CHECK(material("fresnel = 'corrected_schlick'").fresnel == FresnelMethod::corrected_schlick);
+    CHECK(material("fresnel = 'schlick_ior'").fresnel == FresnelMethod::schlick_ior);
+    CHECK(material("fresnel = 'corrected_schlick_as_printed'").fresnel == FresnelMethod::corrected_schlick_as_printed);
     CHECK(material("fresnel = 'table'").fresnel == FresnelMethod::table);
     CHECK(material("fresnel = 'nvidia'").fresnel == FresnelMethod::nvidia);
     CHECK(material("fresnel = 'none'").fresnel == FresnelMethod::none);
+}
+
+TEST_CASE("A measured metal is metallic and a measured dielectric is not unless the file says so") {
+    using namespace lighting;
+    const auto material = [](const std::string& lines) {
+        return read_text("[[material]]\n" + lines + "\n").materials.at(0).cook_torrance;
+    };
+    CHECK(material("measured = 'gold'").metallic == 1.0f);
+    CHECK(material("measured = 'gold'").measured == "gold");
+    CHECK(material("measured = 'gold'").spectrum == SpectrumUse::full);
+    CHECK(material("measured = 'gold'\nspectrum = 'three'").spectrum == SpectrumUse::three);
+    CHECK(material("measured = 'gold'\nmetallic = 0.5").metallic == 0.5f);
+    CHECK(material("measured = 'water'").metallic == 0.0f);
+    for (const MeasuredMaterial& m : measured_materials()) {
+        CHECK(material("measured = '" + std::string(m.name) + "'").measured == m.name);
+    }
+}
+
+TEST_CASE("The keys of brushed surfaces and of Fresnel's methods arrive at their fields") {
+    const Scene scene = read_text(R"(
+[[material]]
+model = "heidrich_seidel"
+ward_alpha = [0.05, 0.4]
+grain = [1, 0, 2]
+nvidia = [0.1, 0.8, 3]
+f82 = [0.83, 0.86, 0.89]
+table_size = 16
+ior = [1.5, 1.5, 1.5]
+outside_ior = 1.33
+)");
+    const lighting::Material& m = scene.materials.at(0);
+    CHECK(m.model == lighting::ReflectionModel::heidrich_seidel);
+    CHECK(m.phong.ward_alpha.value() == glm::vec2(0.05f, 0.4f));
+    CHECK(m.phong.grain == glm::vec3(1.0f, 0.0f, 2.0f));
+    CHECK(m.cook_torrance.nvidia.value() == glm::vec3(0.1f, 0.8f, 3.0f));
+    CHECK(m.cook_torrance.f82.value() == glm::vec3(0.83f, 0.86f, 0.89f));
+    CHECK(m.cook_torrance.table_size == 16);
+    CHECK(m.cook_torrance.outside_ior == 1.33f);
 }
 
 TEST_CASE("Each key arrives at its field") {

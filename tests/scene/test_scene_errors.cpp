@@ -174,6 +174,26 @@ TEST_CASE("Nothing is both planned and known") {
     }
 }
 
+TEST_CASE("Keys of a material that contradict or lack each other are reported with the remedy") {
+    const std::string start = "[[material]]\n";
+    CHECK(complaint(start + "measured = 'gold'\nior = [1, 1, 1]\n") ==
+          "s.toml:2:12: 'measured' and 'ior' in [[material]] both give n; remove one of them");
+    CHECK(complaint(start + "spectrum = 'full'\n") ==
+          "s.toml:2:12: 'spectrum' in [[material]] needs 'measured': only then all wavelengths are known, e.g. measured = "
+          "\"gold\"");
+    CHECK(complaint(start + "outside_ior = 1.33\n") ==
+          "s.toml:2:15: 'outside_ior' in [[material]] needs 'ior' or 'measured': n of both sides");
+    CHECK(complaint(start + "measured = 'gold'\nfresnel = 'corrected_schlick'\n") ==
+          "s.toml:3:11: fresnel = \"corrected_schlick\" works with one n and k a channel; write spectrum = \"three\" "
+          "beside it, or fresnel = \"f82\" for the whole spectrum");
+    CHECK(complaint(start + "measured = 'gold'\nspectrum = 'three'\nfresnel = 'corrected_schlick'\n") ==
+          "no complaint");
+    CHECK(complaint(start + "grain = [0, 0, 0]\n") ==
+          "s.toml:2:9: 'grain' in [[material]] has length 0; a direction is e.g. grain = [0, 1, 0]");
+    CHECK(has(complaint(start + "measured = 'unobtainium'\n"), "expected \"gold\" | \"silver\""));
+    CHECK(has(complaint(start + "ward_alpha = [0, 0.4]\n"), "s.toml:2:15: 'ward_alpha' in [[material]] is 0"));
+}
+
 TEST_CASE("Text that is not TOML is reported with its place") {
     CHECK(place("[camera]\nnear = \n") == "s.toml:2:8");
     CHECK(place("[camera]\nnear = 1\nnear = 2\n") == "s.toml:3:8");

@@ -65,10 +65,16 @@ std::vector<NamedScene> make_scenes() {
     using lighting::ReflectionModel;
     std::vector<NamedScene> scenes;
     for (const ReflectionModel model : {ReflectionModel::unlit, ReflectionModel::lambert, ReflectionModel::phong,
-                                        ReflectionModel::blinn_phong, ReflectionModel::ward}) {
+                                        ReflectionModel::blinn_phong, ReflectionModel::ward,
+                                        ReflectionModel::heidrich_seidel}) {
         scenes.push_back({"model " + std::to_string(static_cast<int>(model)), base_scene(model)});
     }
-    for (int i = 0; i < 8; ++i) {
+    scenes.push_back({"ward brushed", base_scene(ReflectionModel::ward)});
+    scenes.back().scene.materials[0].phong.ward_alpha = glm::vec2(0.1f, 0.5f);
+    scenes.push_back({"all wavelengths", base_scene(ReflectionModel::cook_torrance)});
+    scenes.back().scene.materials[0].cook_torrance.measured = "gold";
+    scenes.back().scene.materials[0].cook_torrance.fresnel = lighting::FresnelMethod::exact;
+    for (int i = 0; i < 10; ++i) {
         scene::Scene s = base_scene(ReflectionModel::cook_torrance);
         lighting::CookTorranceMaterial& m = s.materials[0].cook_torrance;
         m.fresnel = static_cast<lighting::FresnelMethod>(i);
