@@ -34,10 +34,12 @@ void read_index(const Value& table, lighting::CookTorranceMaterial& material) {
     if (const Value* k = find(table, "extinction"); k && !material.ior) {
         throw_needs(*k, "'ior' beside it: a metal has both n and k");
     }
-    if (const Value* spectrum = find(table, "spectrum"); spectrum && !measured) {
-        throw_needs(*spectrum, "'measured': only then all wavelengths are known, e.g. measured = \"gold\"");
+    const Value* const spectrum = find(table, "spectrum");
+    if (spectrum && !measured && material.spectrum == lighting::SpectrumUse::three) {
+        throw_needs(*spectrum, "'measured': only then more wavelengths are known, e.g. measured = \"gold\"");
     }
-    if (const Value* outside = find(table, "outside_ior"); outside && !measured && !material.ior) {
+    const Value* const outside = find(table, "outside_ior");
+    if (outside && !measured && !material.ior && material.outside_ior != 1.0f) {
         throw_needs(*outside, "'ior' or 'measured': n of both sides");
     }
     if (measured && !find(table, "metallic") && is_metal(*lighting::find_measured(material.measured))) {

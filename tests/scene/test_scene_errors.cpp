@@ -178,8 +178,8 @@ TEST_CASE("Keys of a material that contradict or lack each other are reported wi
     const std::string start = "[[material]]\n";
     CHECK(complaint(start + "measured = 'gold'\nior = [1, 1, 1]\n") ==
           "s.toml:2:12: 'measured' and 'ior' in [[material]] both give n; remove one of them");
-    CHECK(complaint(start + "spectrum = 'full'\n") ==
-          "s.toml:2:12: 'spectrum' in [[material]] needs 'measured': only then all wavelengths are known, e.g. measured = "
+    CHECK(complaint(start + "spectrum = 'three'\n") ==
+          "s.toml:2:12: 'spectrum' in [[material]] needs 'measured': only then more wavelengths are known, e.g. measured = "
           "\"gold\"");
     CHECK(complaint(start + "outside_ior = 1.33\n") ==
           "s.toml:2:15: 'outside_ior' in [[material]] needs 'ior' or 'measured': n of both sides");

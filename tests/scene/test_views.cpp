@@ -97,6 +97,17 @@ TEST_CASE("views: a cook_torrance material shows its constants and D V F rebuild
     for (int c = 0; c < 3; ++c) CHECK(specular[c] == doctest::Approx(D * V * F[c] * n_dot_l).epsilon(1e-5));
 }
 
+TEST_CASE("views: the grain of threads runs up the ball along its meridians") {
+    const Scene scene = ball("model = \"heidrich_seidel\"\ngrain = [0, 2, 0]\n");
+    const raster::Image grain = draw(scene, "grain"), normal = draw(scene, "normal");
+    for (const int y : {10, 32, 50}) {
+        const glm::vec3 n = normal.rgb(40, y), t = grain.rgb(40, y);
+        CHECK(std::abs(glm::dot(n, t)) < 1e-6f);
+        CHECK(t.y == doctest::Approx(std::sqrt(1.0 - n.y * n.y)).epsilon(1e-5));
+    }
+    CHECK_FALSE(can_show(make_plan(ball("model = \"ward\"\n"), {}), ball("model = \"ward\"\n"), *find_view("grain")));
+}
+
 TEST_CASE("views: what a scene does not write cannot be shown") {
     const Scene phong = ball("model = \"phong\"\n");
     const auto can = [](const Scene& scene, const char* name) {
