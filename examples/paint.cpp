@@ -1,0 +1,45 @@
+#include "examples/paint.hpp"
+
+#include <glm/geometric.hpp>
+
+#include "examples/fragment_loop.hpp"
+
+namespace kreda::examples {
+
+void for_each_surface_point(const raster::Mesh& mesh, const raster::Camera& camera, glm::ivec2 size,
+                            const std::function<void(int, int, const SurfacePoint&)>& visit) {
+    raster::MeshInstance instance;
+    instance.mesh = &mesh;
+    instance.part_material.assign(mesh.parts.size(), 0);
+    const glm::mat4 clip = raster::clip_from_world(camera, static_cast<float>(size.x) / static_cast<float>(size.y));
+    const Frame frame = make_frame({instance}, clip, {size.x, size.y}, {.position_world = true, .normal_world = true});
+    for_each_fragment(frame, {.position = true, .normal = true}, raster::AttributeInterpolation::perspective,
+                      [&](int x, int y, const raster::Fragments& f, int i) {
+                          const glm::vec3 p = f.position.at(i);
+                          const glm::vec3 v = camera.projection == raster::Projection::orthographic
+                                                  ? -raster::view_direction(camera)
+                                                  : glm::normalize(camera.position - p);
+                          visit(x, y, {p, glm::normalize(f.normal.at(i)), v});
+                      });
+}
+
+Image paint(const raster::Mesh& mesh, const raster::Camera& camera, glm::ivec2 size, int samples,
+            const glm::vec3& background, const SurfaceColor& color) {
+    Image fine = make_board(size.x * samples, size.y * samples, background);
+    for_each_surface_point(mesh, camera, {fine.width, fine.height},
+                           [&](int x, int y, const SurfacePoint& point) { fine.set_rgb(x, y, color(point)); });
+    Image image = make_board(size.x, size.y);
+    const float weight = 1.0f / static_cast<float>(samples * samples);
+    for (int y = 0; y < size.y; ++y) {
+        for (int x = 0; x < size.x; ++x) {
+            glm::vec3 sum(0.0f);
+            for (int s = 0; s < samples * samples; ++s) {
+                sum += fine.rgb(x * samples + s % samples, y * samples + s / samples);
+            }
+            image.set_rgb(x, y, weight * sum);
+        }
+    }
+    return image;
+}
+
+}  // namespace kreda::examples
