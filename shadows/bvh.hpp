@@ -1,0 +1,40 @@
+// A bounding volume hierarchy: which triangles can a ray to the light meet at all?
+#pragma once
+
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include <glm/vec3.hpp>
+
+#include "shadows/light_ray.hpp"
+
+namespace kreda::shadows {
+
+/// Box around a subtree. An inner node's children are nodes `first` and `first + 1`; a leaf (count > 0) holds the
+/// triangles first .. first + count.
+struct BvhNode {
+    glm::vec3 low{0.0f};
+    std::uint32_t first = 0;
+    glm::vec3 high{0.0f};
+    std::uint32_t count = 0;
+};
+
+struct Bvh {
+    std::vector<BvhNode> nodes;       ///< nodes[0] is the root; empty without triangles
+    std::vector<Triangle> triangles;  ///< in the order of the leaves
+};
+
+/// All triangles of the occluders whose corners are finite.
+[[nodiscard]] std::vector<Triangle> gather_triangles(std::span<const Occluder> occluders);
+
+/// Split by the surface area heuristic over bins.                                     Wald 2007
+[[nodiscard]] Bvh build_bvh(std::vector<Triangle> triangles);
+
+/// Is p shadowed by any triangle of the tree? Same answer as asking every triangle.
+[[nodiscard]] bool any_shadow(const Bvh& bvh, const glm::dvec4& light, const glm::vec3& p);
+
+/// The oracle of the tree: every triangle, one after another.
+[[nodiscard]] bool any_shadow(std::span<const Triangle> triangles, const glm::dvec4& light, const glm::vec3& p);
+
+}  // namespace kreda::shadows

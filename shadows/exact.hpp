@@ -1,0 +1,27 @@
+// The exact shadow: a ray from each point to the light, against every triangle that could be in its way. What all other
+// methods are measured by.
+#pragma once
+
+#include "raster/fragments.hpp"
+#include "shadows/bvh.hpp"
+
+namespace kreda::shadows {
+
+/// Everything that casts a shadow, made ready for rays to one light.
+struct ExactShadow {
+    glm::dvec4 light{0.0};  ///< homogeneous, see light_ray.hpp
+    Bvh bvh;
+};
+
+[[nodiscard]] ExactShadow prepare_exact(std::span<const Occluder> occluders, const ShadowLight& light);
+
+/// 1 where nothing stands between the point and the light, 0 elsewhere, for the first `count` points of a batch. World
+/// space.
+void shadow_factors(const ExactShadow& exact, const raster::Channel3& position, int count, raster::Channel& shadow);
+
+/// The same for all visible samples of a frame: threads share it row by row. `rows_done` is called after each row with
+/// how many are done, from any thread but one at a time; null: nobody asks.
+void exact_shadow(const ExactShadow& exact, const VisibleSamples& samples, std::span<float> shadow,
+                  void (*rows_done)(int rows) = nullptr);
+
+}  // namespace kreda::shadows

@@ -1,0 +1,30 @@
+// All visible samples of a frame at once: what the methods that work frame by frame look at.
+#pragma once
+
+#include <vector>
+
+#include "raster/triangle_setup.hpp"
+#include "shadows/shadow.hpp"
+
+namespace kreda::shadows {
+
+/// The memory of VisibleSamples, and which triangle is seen.
+struct VisibleFrame {
+    raster::Viewport viewport;
+    glm::mat4 clip_from_world{1.0f};
+    std::vector<float> depth;             ///< raster::kClearDepth where nothing is seen
+    std::vector<glm::vec3> position;      ///< world space; (0, 0, 0) where nothing is seen
+    std::vector<std::uint32_t> triangle;  ///< raster::triangle_id() in the set, or raster::kNoTriangle
+
+    [[nodiscard]] VisibleSamples samples() const {
+        return {viewport, clip_from_world, depth, position};
+    }
+};
+
+/// Draw the triangles of a set, tile by tile, and interpolate the position of every visible sample as shading does: the
+/// streams hold positions, and `frame` keeps its memory from call to call.
+void find_visible(const raster::VertexStreams& streams, const raster::TriangleSet& set,
+                  raster::AttributeInterpolation interpolation, const raster::Viewport& viewport,
+                  const glm::mat4& clip_from_world, VisibleFrame& frame);
+
+}  // namespace kreda::shadows
