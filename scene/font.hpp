@@ -5,7 +5,7 @@
 #include <array>
 #include <cstdint>
 
-namespace kreda::examples {
+namespace kreda::scene {
 
 inline constexpr int kGlyphWidth = 5;
 inline constexpr int kGlyphHeight = 7;
@@ -113,4 +113,4 @@ inline constexpr std::array<Glyph, 95> kFont = {{
     {{0x00, 0x00, 0x08, 0x15, 0x02, 0x00, 0x00}},  // ~
 }};
 
-}  // namespace kreda::examples
+}  // namespace kreda::scene

@@ -1,4 +1,4 @@
-#include "examples/draw.hpp"
+#include "scene/draw.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -6,11 +6,11 @@
 
 #include <glm/geometric.hpp>
 
-#include "examples/font.hpp"
+#include "scene/font.hpp"
 #include "raster/film.hpp"
 #include "raster/screen.hpp"
 
-namespace kreda::examples {
+namespace kreda::scene {
 
 namespace {
 
@@ -189,4 +189,4 @@ Image montage(int width, int height, int columns, const std::vector<Image>& pane
     return whole;
 }
 
-}  // namespace kreda::examples
+}  // namespace kreda::scene
