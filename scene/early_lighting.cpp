@@ -50,31 +50,10 @@ void light_range(const Frame& frame, std::uint32_t material, std::uint32_t first
     raster::VertexStreams& streams = frame.buffers.streams;
     for_each_batch(total, [&](int begin, int count, LightingScratch& scratch) {
         const std::uint32_t from = first + static_cast<std::uint32_t>(begin);
-        for (int i = 0; i < count; ++i) {
-            scratch.points.position.set(i, streams.position_world[from + i]);
-            scratch.points.normal.set(i, streams.normal_world[from + i]);
-        }
+        for (int i = 0; i < count; ++i) set_vertex_point(streams, from + static_cast<std::uint32_t>(i), i, scratch.points);
         shade_points(frame, scratch.points, material, scratch.channels);
         for (int i = 0; i < count; ++i) streams.color[from + i] = scratch.channels.radiance.at(i);
     });
-}
-
-/// A mirroring transform turns counter-clockwise into clockwise: the face's normal is then the other cross product.
-float orientation_of(const glm::mat4& world_from_object) {
-    return glm::determinant(glm::dmat3(world_from_object)) < 0.0 ? -1.0f : 1.0f;
-}
-
-/// Centroid and normal of a triangle of the scene in world space, before any clipping.
-void set_flat_point(const RenderBuffers& buffers, const raster::TriangleChunk& chunk,
-                    const raster::ScreenTriangle& triangle, float orientation, int i, raster::Fragments& points) {
-    const raster::MeshInstance& instance = buffers.instances[chunk.instance];
-    const std::uint32_t* index = &instance.mesh->indices[3 * std::size_t{triangle.source - chunk.first_source}];
-    const glm::vec3* position = &buffers.streams.position_world[instance.first_vertex];
-    const glm::vec3 a = position[index[0]];
-    const glm::vec3 b = position[index[1]];
-    const glm::vec3 c = position[index[2]];
-    points.position.set(i, (a + b + c) * (1.0f / 3.0f));
-    points.normal.set(i, orientation * glm::cross(b - a, c - a));
 }
 
 /// Flat colours of one chunk of triangles (they share a material).
@@ -95,6 +74,27 @@ void light_chunk(const Frame& frame, const raster::TriangleChunk& chunk, std::ve
 }
 
 }  // namespace
+
+void set_vertex_point(const raster::VertexStreams& streams, std::uint32_t vertex, int i, raster::Fragments& points) {
+    points.position.set(i, streams.position_world[vertex]);
+    points.normal.set(i, streams.normal_world[vertex]);
+}
+
+float orientation_of(const glm::mat4& world_from_object) {
+    return glm::determinant(glm::dmat3(world_from_object)) < 0.0 ? -1.0f : 1.0f;
+}
+
+void set_flat_point(const RenderBuffers& buffers, const raster::TriangleChunk& chunk,
+                    const raster::ScreenTriangle& triangle, float orientation, int i, raster::Fragments& points) {
+    const raster::MeshInstance& instance = buffers.instances[chunk.instance];
+    const std::uint32_t* index = &instance.mesh->indices[3 * std::size_t{triangle.source - chunk.first_source}];
+    const glm::vec3* position = &buffers.streams.position_world[instance.first_vertex];
+    const glm::vec3 a = position[index[0]];
+    const glm::vec3 b = position[index[1]];
+    const glm::vec3 c = position[index[2]];
+    points.position.set(i, (a + b + c) * (1.0f / 3.0f));
+    points.normal.set(i, orientation * glm::cross(b - a, c - a));
+}
 
 void light_vertices(const Frame& frame) {
     for (const raster::MeshInstance& instance : frame.buffers.instances) {

@@ -1,6 +1,7 @@
 // Lighting before rasterization: at the vertices (Gouraud) or once a triangle (flat), and fog at the vertices.
 #pragma once
 
+#include "raster/triangle_setup.hpp"
 #include "scene/frame.hpp"
 
 namespace kreda::scene {
@@ -13,5 +14,16 @@ void fog_vertices(const Frame& frame);
 
 /// Flat: light every triangle that reached the tiles once, at its centroid with its own normal, into flat_color.
 void light_triangles(const Frame& frame);
+
+/// A vertex of the streams as point i of a batch that is lit.
+void set_vertex_point(const raster::VertexStreams& streams, std::uint32_t vertex, int i, raster::Fragments& points);
+
+/// Centroid and normal of a triangle of the scene in world space, before any clipping, as point i of a batch.
+void set_flat_point(const RenderBuffers& buffers, const raster::TriangleChunk& chunk,
+                    const raster::ScreenTriangle& triangle, float orientation, int i, raster::Fragments& points);
+
+/// -1 for a transform that mirrors: it turns counter-clockwise into clockwise, and the face's normal is then the other
+/// cross product. Else 1.
+[[nodiscard]] float orientation_of(const glm::mat4& world_from_object);
 
 }  // namespace kreda::scene

@@ -89,12 +89,6 @@ std::vector<Value> interleave(const raster::Image& image, Convert convert) {
     return values;
 }
 
-/// `!(encoded > 0)` is also true for NaN.
-std::uint8_t byte_from_encoded(float encoded) {
-    if (!(encoded > 0.0f)) return 0;
-    return static_cast<std::uint8_t>(std::lround(255.0f * std::min(encoded, 1.0f)));
-}
-
 void check_not_empty(const std::string& path, const raster::Image& image) {
     if (image.width < 1 || image.height < 1 || image.channels < 1) {
         throw UserError(Place{path}, "an image of " + std::to_string(image.width) + " x " +
@@ -170,6 +164,11 @@ raster::Image read_with_oiio(const std::string& path, const ImageReadOptions& op
 }
 
 }  // namespace
+
+std::uint8_t byte_from_encoded(float encoded) {
+    if (!(encoded > 0.0f)) return 0;  // true for NaN as well
+    return static_cast<std::uint8_t>(std::lround(255.0f * std::min(encoded, 1.0f)));
+}
 
 raster::Image read_image(const std::string& path, const ImageReadOptions& options) {
     check_is_file(path);

@@ -21,6 +21,9 @@ struct ImageReadOptions {
 /// window is not its display window gives the display window, 0 where there is no data. Throws UserError.
 [[nodiscard]] raster::Image read_image(const std::string& path, const ImageReadOptions& options = {});
 
+/// The byte that a PNG holds for an encoded value: round(255 c), c clamped to 0..1, NaN to 0.
+[[nodiscard]] std::uint8_t byte_from_encoded(float encoded);
+
 /// Write 8-bit PNG, marked sRGB, from values that are encoded already: byte = round(255 c), c clamped to 0..1, NaN to
 /// 0. 1 (grey) or 3 channels. The same image gives the same bytes. Throws UserError and leaves no partial file.
 void write_png(const std::string& path, const raster::Image& encoded);

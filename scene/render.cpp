@@ -137,6 +137,11 @@ RenderBuffers::RenderBuffers(RenderBuffers&&) noexcept = default;
 RenderBuffers& RenderBuffers::operator=(RenderBuffers&&) noexcept = default;
 
 RenderStatistics render(const Scene& scene, const RenderPlan& plan, RenderBuffers& buffers, int threads) {
+    return render(scene, plan, buffers, threads, [](const Frame&) {});
+}
+
+RenderStatistics render(const Scene& scene, const RenderPlan& plan, RenderBuffers& buffers, int threads,
+                        const std::function<void(const Frame&)>& look) {
     const ThreadLimit limit(threads);
     RenderStatistics statistics;
     Stopwatch total;
@@ -173,6 +178,7 @@ RenderStatistics render(const Scene& scene, const RenderPlan& plan, RenderBuffer
     render_tiles(frame);
     add_tile_times(buffers, statistics);
     statistics.times.total_ms = total.lap_ms();
+    look(frame);
     return statistics;
 }
 

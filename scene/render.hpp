@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <functional>
 #include <memory>
 #include <string>
 #include <utility>
@@ -15,6 +16,7 @@
 
 namespace kreda::scene {
 
+struct Frame;
 struct TileScratch;
 
 /// The memory of a frame. Keep it from frame to frame and nothing is allocated twice.
@@ -49,6 +51,10 @@ struct RenderStatistics {
 
 /// Render the scene into buffers.film. threads = 0: as many as there are cores.
 RenderStatistics render(const Scene& scene, const RenderPlan& plan, RenderBuffers& buffers, int threads = 0);
+
+/// The same, and then look at the frame while everything in it is alive: what `kreda explain` asks about a pixel.
+RenderStatistics render(const Scene& scene, const RenderPlan& plan, RenderBuffers& buffers, int threads,
+                        const std::function<void(const Frame&)>& look);
 
 /// The short way: plan, render, film.
 [[nodiscard]] raster::Image render(const Scene& scene);

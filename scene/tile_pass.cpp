@@ -128,24 +128,6 @@ void start_views(const RenderPlan& plan, TileScratch& scratch) {
     }
 }
 
-/// One batch: interpolate, light, fog, back into the tile.
-void work_batch(const Frame& frame, const TileArea& area, const Run* runs, int count, TileScratch& scratch) {
-    Stopwatch watch;
-    scratch.fragments.count = 0;
-    if (frame.plan.fragment.any()) {
-        interpolate_runs(frame.buffers.streams, frame.buffers.triangles, area, runs, count, frame.plan.fragment,
-                         frame.plan.interpolation, scratch.fragments);
-    }
-    if (frame.plan.frequency == ShadingFrequency::flat) {
-        fill_flat_color(frame.buffers, runs, count, scratch.fragments);
-    }
-    scratch.interpolation_ms += watch.lap_ms();
-    shade_batch(frame, runs[0].material, scratch);
-    scatter_runs(scratch.lighting.radiance, runs, count, scratch.color);
-    write_views(frame, runs, count, scratch);
-    scratch.lighting_ms += watch.lap_ms();
-}
-
 /// One pixel is the mean of its n x n samples, added row by row, left to right.
 float mean_of_samples(const float* plane, int x, int y, int n) {
     float sum = 0.0f;
@@ -192,6 +174,23 @@ void shade_runs(const Frame& frame, const TileArea& area, int run_count, TileScr
 }
 
 }  // namespace
+
+void work_batch(const Frame& frame, const TileArea& area, const Run* runs, int count, TileScratch& scratch) {
+    Stopwatch watch;
+    scratch.fragments.count = 0;
+    if (frame.plan.fragment.any()) {
+        interpolate_runs(frame.buffers.streams, frame.buffers.triangles, area, runs, count, frame.plan.fragment,
+                         frame.plan.interpolation, scratch.fragments);
+    }
+    if (frame.plan.frequency == ShadingFrequency::flat) {
+        fill_flat_color(frame.buffers, runs, count, scratch.fragments);
+    }
+    scratch.interpolation_ms += watch.lap_ms();
+    shade_batch(frame, runs[0].material, scratch);
+    scatter_runs(scratch.lighting.radiance, runs, count, scratch.color);
+    write_views(frame, runs, count, scratch);
+    scratch.lighting_ms += watch.lap_ms();
+}
 
 void render_tile(const Frame& frame, int tile_index, TileScratch& scratch) {
     Stopwatch watch;

@@ -28,4 +28,9 @@ struct TileScratch {
 /// Work through one tile and write its pixels to buffers.film and buffers.views.
 void render_tile(const Frame& frame, int tile_index, TileScratch& scratch);
 
+/// One batch of a tile: interpolate, light, fog, back into scratch.color. What the passes wrote on the way stays in
+/// scratch.fragments and scratch.lighting. The runs share a material and hold at most kBatchCapacity samples.
+void work_batch(const Frame& frame, const raster::TileArea& area, const raster::Run* runs, int count,
+                TileScratch& scratch);
+
 }  // namespace kreda::scene

@@ -77,6 +77,7 @@ int main(int argc, char** argv) {
         app.footer(kExamples);
         kreda::tools::add_render_command(app);
         kreda::tools::add_plan_command(app);
+        kreda::tools::add_explain_command(app);
         kreda::tools::add_keys_command(app);
         kreda::tools::add_gallery_command(app);
         kreda::tools::add_bench_command(app);

@@ -1,0 +1,85 @@
+#include "tests/tools/explain_scenes.hpp"
+
+#include "scene/read_scene.hpp"
+
+namespace kreda::tests {
+
+namespace {
+
+/// A ball before a wall, three lamps of all kinds. `model` and `more` are lines of the scene file.
+std::string ball_and_wall(const std::string& material, const std::string& more) {
+    return "[image]\nsize = [24, 16]\nbackground = [0.1, 0.2, 0.3]\n"
+           "[camera]\nposition = [0.4, 0.6, 3]\nvertical_fov = 50\n"
+           "[[light]]\ntype = \"directional\"\ndirection = [-1, -2, -1]\ncolor = [1, 0.9, 0.7]\n"
+           "[[light]]\ntype = \"point\"\nposition = [2, 1, 1]\nattenuation = [1, 0.1, 0.2]\nintensity = 2\n"
+           "[[light]]\ntype = \"spot\"\nposition = [-1, 2, 3]\ndirection = [1, -2, -3]\ncone = [5, 30]\n" +
+           more + "[[material]]\nname = \"m\"\n" + material +
+           "[[object]]\nmesh = \"sphere\"\ndetail = 10\nmaterial = \"m\"\n"
+           "[[object]]\nmesh = \"plane\"\nmaterial = \"m\"\nrotate = [90, 0, 10]\ntranslate = [0, 0, -1.5]\nscale = "
+           "1.2\n";
+}
+
+const std::string kShiny =
+    "diffuse = [0.6, 0.3, 0.2]\nspecular = [0.5, 0.4, 0.3]\nemission = [0.01, 0, 0.02]\nshininess = 20\n";
+
+std::string model(const std::string& name) {
+    return "model = \"" + name + "\"\n" + kShiny;
+}
+
+std::string microfacets(const std::string& more) {
+    return "model = \"cook_torrance\"\nalbedo = [0.9, 0.6, 0.3]\nmetallic = 0.4\nroughness = 0.35\n" + more;
+}
+
+}  // namespace
+
+std::vector<NamedScene> scenes_to_explain() {
+    std::vector<NamedScene> scenes;
+    const auto add = [&](const std::string& name, const std::string& material, const std::string& more = {}) {
+        scenes.push_back({name, scene::read_scene_text(ball_and_wall(material, more), name, "")});
+    };
+    for (const char* name : {"unlit", "lambert", "phong", "blinn_phong", "ward"}) add(name, model(name));
+    for (const char* d : {"ggx", "beckmann", "blinn_phong", "gaussian"}) {
+        add(std::string("D ") + d, microfacets(std::string("distribution = \"") + d + "\"\n"));
+    }
+    for (const char* g : {"smith", "smith_correlated", "implicit", "cook_torrance"}) {
+        add(std::string("G ") + g, microfacets(std::string("geometry = \"") + g + "\"\n"));
+    }
+    for (const char* f : {"exact", "rescaled_schlick", "corrected_schlick", "f82", "table", "nvidia", "none"}) {
+        add(std::string("F ") + f, microfacets(std::string("fresnel = \"") + f + "\"\n"));
+    }
+    add("measured metal",
+        microfacets("ior = [0.18, 0.42, 1.37]\nextinction = [3.42, 2.35, 1.77]\nfresnel = \"exact\"\n"));
+    add("energy compensation", microfacets("energy_compensation = \"kulla_conty\"\n"));
+    add("gouraud", model("phong"), "[shading]\nfrequency = \"gouraud\"\n");
+    add("flat", model("phong"), "[shading]\nfrequency = \"flat\"\n");
+    add("affine", model("phong"), "[shading]\ninterpolation = \"affine\"\n");
+    add("flat in fog", model("phong"), "[shading]\nfrequency = \"flat\"\n[fog]\nmode = \"exp\"\n");
+    add("fog linear planar", model("phong"), "[fog]\nmode = \"linear\"\nstart = 1\nend = 6\ndistance = \"planar\"\n");
+    add("fog exp2", model("phong"), "[fog]\nmode = \"exp2\"\ndensity = 0.3\n");
+    add("fog at vertices", model("phong"), "[fog]\nmode = \"exp\"\nfrequency = \"vertex\"\n");
+    add("gouraud in fog", model("phong"),
+        "[shading]\nfrequency = \"gouraud\"\n[fog]\nmode = \"exp\"\nfrequency = \"vertex\"\n");
+    add("no culling", model("phong"), "[shading]\ncull = \"none\"\n");
+    for (NamedScene& named : scenes) named.scene.image.samples = 1;
+
+    const auto vary = [&](const std::string& name, auto&& change) {
+        NamedScene varied = scenes[2];  // phong
+        varied.name = name;
+        change(varied.scene);
+        scenes.push_back(varied);
+    };
+    vary("3 x 3 samples", [](scene::Scene& s) { s.image.samples = 3; });
+    vary("orthographic", [](scene::Scene& s) { s.camera.projection = raster::Projection::orthographic; });
+    vary("through the near plane", [](scene::Scene& s) { s.camera.near = 2.4f; });
+    vary("through the far plane", [](scene::Scene& s) { s.camera.far = 4.0f; });
+    vary("mirrored", [](scene::Scene& s) { s.objects[0].world_from_object[0] *= -1.0f; });
+    vary("film", [](scene::Scene& s) {
+        s.image.exposure = 1.7f;
+        s.image.tone_map = raster::ToneMap::reinhard_extended;
+        s.image.transfer = raster::Transfer::gamma;
+    });
+    vary("empty", [](scene::Scene& s) { s.objects.clear(); });
+    return scenes;
+}
+
+}  // namespace kreda::tests

@@ -1,0 +1,205 @@
+#include "tools/explain_light.hpp"
+
+#include <cmath>
+#include <memory>
+
+#include <glm/geometric.hpp>
+
+#include "lighting/light.hpp"
+#include "lighting/reflection.hpp"
+#include "scene/shade.hpp"
+
+namespace kreda::tools {
+
+namespace {
+
+using lighting::LightingChannels;
+using lighting::LightSetup;
+using lighting::ReflectionModel;
+
+/// The channels after the first `light_count` lights: the passes of the real render over a batch of one.
+std::unique_ptr<LightingChannels> channels_after(const LitPoint& point, std::size_t light_count) {
+    lighting::LightingSetup setup = point.frame.lighting;
+    setup.lights = setup.lights.first(light_count);
+    auto channels = std::make_unique<LightingChannels>();
+    scene::shade_points({point.frame.scene, point.frame.plan, setup, point.frame.buffers}, point.points, point.material,
+                        *channels);
+    return channels;
+}
+
+const char* name_of(ReflectionModel model) {
+    switch (model) {
+        case ReflectionModel::unlit:
+            return "unlit";
+        case ReflectionModel::lambert:
+            return "lambert";
+        case ReflectionModel::phong:
+            return "phong";
+        case ReflectionModel::blinn_phong:
+            return "blinn_phong";
+        case ReflectionModel::ward:
+            return "ward";
+        case ReflectionModel::cook_torrance:
+            return "cook_torrance";
+    }
+    return "";
+}
+
+const char* name_of(lighting::LightType type) {
+    switch (type) {
+        case lighting::LightType::directional:
+            return "directional";
+        case lighting::LightType::point:
+            return "point";
+        case lighting::LightType::spot:
+            return "spot";
+    }
+    return "";
+}
+
+void explain_directions(const LitPoint& point, const LightingChannels& c, Section& section) {
+    const glm::vec3 p = point.points.position.at(0);
+    const glm::vec3 normal = point.points.normal.at(0);
+    section.equation("p", "", "", p, "world space");
+    section.equation("|normal|", "√(normal·normal)", "", std::sqrt(glm::dot(normal, normal)));
+    section.equation("n", "normal / |normal|", vector_text(normal) + " / " + number_text(glm::length(normal)),
+                     c.n.at(0));
+    if (point.frame.lighting.orthographic) {
+        section.equation("v", "-forward", "", c.v.at(0), "the same everywhere: orthographic");
+        return;
+    }
+    const glm::vec3 to_eye = point.frame.lighting.eye - p;
+    section.equation("v", "(eye - p) / |eye - p|", vector_text(to_eye) + " / " + number_text(glm::length(to_eye)),
+                     c.v.at(0));
+}
+
+/// What is there without any light.
+void explain_ambient(const LitPoint& point, const LightingChannels& c, Section& section) {
+    const lighting::Material& material = point.frame.plan.materials[point.material].material;
+    const lighting::PhongMaterial& m = material.phong;
+    if (material.model == ReflectionModel::unlit) {
+        section.equation("ambient", "m_D + m_E", vector_text(m.diffuse) + " + " + vector_text(m.emission),
+                         c.ambient.at(0), "unlit: no light matters");
+    } else if (material.model == ReflectionModel::cook_torrance) {
+        section.equation("ambient", "m_E", "", c.ambient.at(0), "the microfacet model knows no ambient light");
+    } else {
+        section.equation("ambient", "s_A ⊗ m_A + m_E",
+                         vector_text(point.frame.lighting.ambient) + " ⊗ " + vector_text(m.ambient) + " + " +
+                             vector_text(m.emission),
+                         c.ambient.at(0));
+    }
+}
+
+/// d and l of a light that has a place.
+float explain_distance(const LightSetup& light, const glm::vec3& p, const LightingChannels& c, Section& section) {
+    const glm::vec3 to_light = light.position - p;
+    const float d = glm::length(to_light);
+    section.equation("d", "|p_light - p|", "|" + vector_text(light.position) + " - " + vector_text(p) + "|", d);
+    section.equation("l", "(p_light - p) / d", vector_text(to_light) + " / " + number_text(d), c.l.at(0));
+    return d;
+}
+
+std::string explain_attenuation(const LightSetup& light, float d, Section& section) {
+    const lighting::Attenuation& a = light.attenuation;
+    const float weakened = lighting::attenuate(a, d);
+    section.equation("a", "1 / (c + l d + q d²)",
+                     "1 / (" + number_text(a.constant) + " + " + number_text(a.linear) + "·" + number_text(d) + " + " +
+                         number_text(a.quadratic) + "·" + number_text(d) + "²)",
+                     weakened);
+    return number_text(weakened);
+}
+
+std::string explain_cone(const LightSetup& light, const LightingChannels& c, Section& section) {
+    const glm::vec3 l = c.l.at(0);
+    const float cosine = -glm::dot(l, light.axis);
+    const float cone = lighting::spot_cone(cosine, light.cos_inner, light.cos_outer);
+    section.equation("cos γ", "-l·axis", "-(" + dot_text(l, light.axis) + ")", cosine,
+                     "between the ray and the spot's axis");
+    section.equation("t", "(cos γ - cos outer) / (cos inner - cos outer), in 0..1",
+                     "(" + number_text(cosine) + " - " + number_text(light.cos_outer) + ") / (" +
+                         number_text(light.cos_inner) + " - " + number_text(light.cos_outer) + ")",
+                     std::vector<double>{});
+    section.equation("cone", "3t² - 2t³", "", cone);
+    return number_text(cone);
+}
+
+/// l and s of a light, and what a shadow leaves of it.
+void explain_sample(const LitPoint& point, const LightSetup& light, const LightingChannels& c, Section& section) {
+    const glm::vec3 p = point.points.position.at(0);
+    std::string factors = vector_text(light.radiance);
+    std::string formula = "color intensity";
+    if (light.type == lighting::LightType::directional) {
+        section.equation("l", "-direction / |direction|", "", c.l.at(0), "the same everywhere");
+    } else {
+        const float d = explain_distance(light, p, c, section);
+        factors += " · " + explain_attenuation(light, d, section);
+        formula += " a";
+    }
+    if (light.type == lighting::LightType::spot) {
+        factors += " · " + explain_cone(light, c, section);
+        formula += " cone";
+    }
+    section.equation("s", formula, factors, c.irradiance.at(0), "what arrives on a plane that faces the light");
+}
+
+Section light_section(const LitPoint& point, std::size_t k, const LightSetup& light) {
+    const std::string number = std::to_string(k + 1);
+    return {point.id + "light_" + number,
+            point.name + "light " + number + " of " + std::to_string(point.frame.lighting.lights.size()) + " (" +
+                name_of(light.type) + ")",
+            {}};
+}
+
+/// One light: what it sends, what the surface reflects of it, and the sums with it.
+void explain_light(const LitPoint& point, std::size_t k, const LightingChannels& before, const LightingChannels& after,
+                   Derivation& derivation) {
+    const LightSetup& light = point.frame.lighting.lights[k];
+    Section section = light_section(point, k, light);
+    explain_sample(point, light, after, section);
+    const ExplainedTerms terms = explain_reflection(point.frame.plan.materials[point.material], after, section);
+    const glm::vec3 s = after.irradiance.at(0);
+    section.equation("L_D", "s ⊗ f_D", vector_text(s) + " ⊗ " + vector_text(terms.diffuse), s * terms.diffuse,
+                     "diffuse light of this lamp");
+    section.equation("L_S", "s ⊗ f_S", vector_text(s) + " ⊗ " + vector_text(terms.specular), s * terms.specular,
+                     "specular light of this lamp");
+    if (k > 0) {
+        section.equation("diffuse", "so far + L_D",
+                         vector_text(before.diffuse.at(0)) + " + " + vector_text(s * terms.diffuse),
+                         after.diffuse.at(0));
+        section.equation("specular", "so far + L_S",
+                         vector_text(before.specular.at(0)) + " + " + vector_text(s * terms.specular),
+                         after.specular.at(0));
+    }
+    derivation.sections.push_back(section);
+}
+
+}  // namespace
+
+glm::vec3 explain_lighting(const LitPoint& point, Derivation& derivation) {
+    const lighting::Material& material = point.frame.plan.materials[point.material].material;
+    const bool lit = material.model != ReflectionModel::unlit;
+    const std::size_t light_count = lit ? point.frame.lighting.lights.size() : 0;
+    std::unique_ptr<LightingChannels> before = channels_after(point, 0);
+
+    Section base{point.id + "surface", point.name + "the surface and what it shows without lamps", {}};
+    base.say("Material \"" + material.name + "\", model " + name_of(material.model) + ".");
+    if (lit) explain_directions(point, *before, base);
+    explain_ambient(point, *before, base);
+    derivation.sections.push_back(base);
+
+    for (std::size_t k = 0; k < light_count; ++k) {
+        std::unique_ptr<LightingChannels> after = channels_after(point, k + 1);
+        explain_light(point, k, *before, *after, derivation);
+        before = std::move(after);
+    }
+    Section sum{point.id + "sum", point.name + "the sum", {}};
+    const glm::vec3 radiance = before->radiance.at(0);
+    sum.equation("radiance", "ambient + diffuse + specular",
+                 vector_text(before->ambient.at(0)) + " + " + vector_text(before->diffuse.at(0)) + " + " +
+                     vector_text(before->specular.at(0)),
+                 radiance, "linear RGB");
+    derivation.sections.push_back(sum);
+    return radiance;
+}
+
+}  // namespace kreda::tools

@@ -1,0 +1,39 @@
+// The light at one point as a derivation: directions, ambient light, every light's terms, their sum.
+#pragma once
+
+#include <cstdint>
+#include <string>
+
+#include "lighting/channels.hpp"
+#include "scene/frame.hpp"
+#include "tools/derivation.hpp"
+
+namespace kreda::tools {
+
+/// A point that the passes light: a sample of the picture, a vertex, or the centroid of a triangle.
+struct LitPoint {
+    const scene::Frame& frame;
+    const raster::Fragments& points;  ///< a batch of one
+    std::uint32_t material = 0;
+    std::string name;  ///< what stands before the titles of its sections: "", "corner a: "
+    std::string id;    ///< and before their ids: "", "corner_a_"
+};
+
+/// One section for what is there without lights, one for each light, one for the sum. Returns the radiance of the point
+/// before fog: what scene::shade_points() leaves in its channel.
+glm::vec3 explain_lighting(const LitPoint& point, Derivation& derivation);
+
+/// One light's terms by the point's reflection model, symbol by symbol, before they are multiplied by what the light
+/// sends. `after`: the channels once this light was added.
+struct ExplainedTerms {
+    glm::vec3 diffuse{0.0f};
+    glm::vec3 specular{0.0f};
+};
+[[nodiscard]] ExplainedTerms explain_reflection(const lighting::MaterialSetup& material,
+                                                const lighting::LightingChannels& after, Section& section);
+
+/// The same for the microfacet model.
+[[nodiscard]] ExplainedTerms explain_microfacets(const lighting::CookTorranceSetup& setup,
+                                                 const lighting::LightingChannels& after, Section& section);
+
+}  // namespace kreda::tools

@@ -1,0 +1,116 @@
+// The empirical models, symbol by symbol: the functions of lighting/reflection.hpp and lighting/ward.hpp, one a line.
+#include <cmath>
+
+#include <glm/geometric.hpp>
+
+#include "lighting/reflection.hpp"
+#include "lighting/ward.hpp"
+#include "tools/explain_light.hpp"
+
+namespace kreda::tools {
+
+namespace {
+
+using lighting::PhongMaterial;
+using lighting::ReflectionModel;
+
+struct Directions {
+    glm::vec3 n, l, v;
+};
+
+std::string positive_text(const glm::vec3& a, const glm::vec3& b) {
+    return "max(" + dot_text(a, b) + ", 0)";
+}
+
+void explain_diffuse(const Directions& d, const PhongMaterial& m, const glm::vec3& result, Section& section) {
+    const float n_dot_l = lighting::positive_dot(d.n, d.l);
+    section.equation("n·l", "max(n·l, 0)", positive_text(d.n, d.l), n_dot_l,
+                     glm::dot(d.n, d.l) > 0.0f ? "" : "the surface faces away from this light");
+    section.equation("f_D", "m_D (n·l)", vector_text(m.diffuse) + " · " + number_text(n_dot_l), result);
+}
+
+/// m_S Sigma^h, and 0 for a surface that faces away.
+void explain_highlight(const Directions& d, const PhongMaterial& m, float sigma, const glm::vec3& result,
+                       Section& section) {
+    const float power = raster::pow(sigma, m.shininess);
+    section.equation("Σʰ", "Σ^h", number_text(sigma) + "^" + number_text(m.shininess), power);
+    const bool faces = lighting::faces_light(d.n, d.l) > 0.0f;
+    section.equation("f_S", faces ? "m_S Σʰ" : "0", faces ? vector_text(m.specular) + " · " + number_text(power) : "",
+                     result, faces ? "" : "n·l <= 0: no highlight on the dark side");
+}
+
+ExplainedTerms explain_phong(const Directions& d, const PhongMaterial& m, Section& section) {
+    const lighting::ReflectedTerms terms = lighting::phong(d.n, d.l, d.v, m);
+    explain_diffuse(d, m, terms.diffuse, section);
+    const glm::vec3 r = lighting::mirror_vector(d.n, d.l);
+    section.equation("r", "2 (n·l) n - l",
+                     "2·" + factor_text(glm::dot(d.n, d.l)) + "·" + vector_text(d.n) + " - " + vector_text(d.l), r,
+                     "l mirrored in n");
+    const float sigma = lighting::sigma_phong(d.n, d.l, d.v);
+    section.equation("Σ", "max(v·r, 0)", positive_text(d.v, r), sigma);
+    explain_highlight(d, m, sigma, terms.specular, section);
+    return {terms.diffuse, terms.specular};
+}
+
+ExplainedTerms explain_blinn(const Directions& d, const PhongMaterial& m, Section& section) {
+    const lighting::ReflectedTerms terms = lighting::blinn_phong(d.n, d.l, d.v, m);
+    explain_diffuse(d, m, terms.diffuse, section);
+    const glm::vec3 h = lighting::half_vector(d.l, d.v);
+    section.equation("h", "(l + v) / |l + v|", vector_text(d.l + d.v) + " / " + number_text(glm::length(d.l + d.v)), h,
+                     "half way between light and viewer");
+    const float sigma = lighting::sigma_blinn(d.n, d.l, d.v);
+    section.equation("Σ", "max(n·h, 0)", positive_text(d.n, h), sigma);
+    explain_highlight(d, m, sigma, terms.specular, section);
+    return {terms.diffuse, terms.specular};
+}
+
+ExplainedTerms explain_lambert(const Directions& d, const PhongMaterial& m, Section& section) {
+    const lighting::ReflectedTerms terms = lighting::lambert(d.n, d.l, m);
+    explain_diffuse(d, m, terms.diffuse, section);
+    section.equation("f_S", "", "", terms.specular, "Lambert's surface has no highlight");
+    return {terms.diffuse, terms.specular};
+}
+
+ExplainedTerms explain_ward(const Directions& d, const PhongMaterial& m, Section& section) {
+    const lighting::ReflectedTerms terms = lighting::ward(d.n, d.l, d.v, m);
+    const lighting::MicrofacetAngles a = lighting::microfacet_angles(d.n, d.l, d.v);
+    explain_diffuse(d, m, terms.diffuse, section);
+    const float alpha = lighting::ward_alpha_from_shininess(m.shininess);
+    const float f = lighting::ward_isotropic(a, alpha);
+    section.equation("α", "√(2 / (shininess + 2))", "√(2 / (" + number_text(m.shininess) + " + 2))", alpha,
+                     "width of the lobe");
+    section.equation("n·v", "max(n·v, 0)", positive_text(d.n, d.v), a.n_dot_v);
+    section.equation("n·h", "max(n·h, 0)", "", a.n_dot_h);
+    section.equation("tan²θ_h", "sin²θ_h / (n·h)²", number_text(a.sin2_h) + " / " + number_text(a.n_dot_h) + "²",
+                     a.sin2_h / (a.n_dot_h * a.n_dot_h));
+    section.equation("f", "exp(-tan²θ_h / α²) / (4π α² √((n·l)(n·v)))", "", f, "1/sr");
+    section.equation("f_S", "m_S π f (n·l)",
+                     vector_text(m.specular) + " · π · " + number_text(f) + " · " + number_text(a.n_dot_l),
+                     terms.specular);
+    return {terms.diffuse, terms.specular};
+}
+
+}  // namespace
+
+ExplainedTerms explain_reflection(const lighting::MaterialSetup& material, const lighting::LightingChannels& after,
+                                  Section& section) {
+    const Directions d{after.n.at(0), after.l.at(0), after.v.at(0)};
+    const PhongMaterial& m = material.material.phong;
+    switch (material.material.model) {
+        case ReflectionModel::unlit:
+            return {};
+        case ReflectionModel::lambert:
+            return explain_lambert(d, m, section);
+        case ReflectionModel::phong:
+            return explain_phong(d, m, section);
+        case ReflectionModel::blinn_phong:
+            return explain_blinn(d, m, section);
+        case ReflectionModel::ward:
+            return explain_ward(d, m, section);
+        case ReflectionModel::cook_torrance:
+            return explain_microfacets(material.cook_torrance, after, section);
+    }
+    return {};
+}
+
+}  // namespace kreda::tools
