@@ -7,6 +7,7 @@
 
 #include "lighting/light.hpp"
 #include "lighting/reflection.hpp"
+#include "scene/scene_keys.hpp"
 #include "scene/shade.hpp"
 
 namespace kreda::tools {
@@ -27,34 +28,10 @@ std::unique_ptr<LightingChannels> channels_after(const LitPoint& point, std::siz
     return channels;
 }
 
-const char* name_of(ReflectionModel model) {
-    switch (model) {
-        case ReflectionModel::unlit:
-            return "unlit";
-        case ReflectionModel::lambert:
-            return "lambert";
-        case ReflectionModel::phong:
-            return "phong";
-        case ReflectionModel::blinn_phong:
-            return "blinn_phong";
-        case ReflectionModel::ward:
-            return "ward";
-        case ReflectionModel::cook_torrance:
-            return "cook_torrance";
-    }
-    return "";
-}
-
-const char* name_of(lighting::LightType type) {
-    switch (type) {
-        case lighting::LightType::directional:
-            return "directional";
-        case lighting::LightType::point:
-            return "point";
-        case lighting::LightType::spot:
-            return "spot";
-    }
-    return "";
+/// The word that a scene file has for an enumerator.
+template <class Enum>
+std::string word_for(std::string_view table, std::string_view key, Enum value) {
+    return std::string(scene::find_key(table, key)->words[static_cast<std::size_t>(value)]);
 }
 
 void explain_directions(const LitPoint& point, const LightingChannels& c, Section& section) {
@@ -146,7 +123,7 @@ Section light_section(const LitPoint& point, std::size_t k, const LightSetup& li
     const std::string number = std::to_string(k + 1);
     return {point.id + "light_" + number,
             point.name + "light " + number + " of " + std::to_string(point.frame.lighting.lights.size()) + " (" +
-                name_of(light.type) + ")",
+                word_for("light", "type", light.type) + ")",
             {}};
 }
 
@@ -182,7 +159,7 @@ glm::vec3 explain_lighting(const LitPoint& point, Derivation& derivation) {
     std::unique_ptr<LightingChannels> before = channels_after(point, 0);
 
     Section base{point.id + "surface", point.name + "the surface and what it shows without lamps", {}};
-    base.say("Material \"" + material.name + "\", model " + name_of(material.model) + ".");
+    base.say("Material \"" + material.name + "\", model " + word_for("material", "model", material.model) + ".");
     if (lit) explain_directions(point, *before, base);
     explain_ambient(point, *before, base);
     derivation.sections.push_back(base);

@@ -59,11 +59,17 @@ Formula formula_of(const CookTorranceSetup& setup) {
             return {"Schlick", "F0 + (1 - F0)(1 - v·h)⁵"};
         case FresnelMethod::rescaled_schlick:
             return {"rescaled Schlick", "F0 + (1 - F0)(1 - v·h)⁵,  F0 from n and k"};
+        case FresnelMethod::schlick_ior:
+            return {"Schlick from n", "((n-1)² + 4n (1 - v·h)⁵) / (n+1)²"};
         case FresnelMethod::exact:
+            if (setup.all_wavelengths)
+                return {"exact, whole spectrum", "mean over wavelengths of (R_s + R_p) / 2 from n, k and v·h"};
             return setup.has_index ? Formula{"exact, conductor", "(R_s + R_p) / 2  from n, k and v·h"}
                                    : Formula{"exact, dielectric", "(R_s + R_p) / 2  from n(F0) and v·h"};
         case FresnelMethod::corrected_schlick:
             return {"corrected Schlick", "Schlick - a (v·h)(1 - v·h)^λ"};
+        case FresnelMethod::corrected_schlick_as_printed:
+            return {"corrected Schlick as printed", "Schlick - a (1 - v·h)^λ"};
         case FresnelMethod::f82:
             return {"F82", "Schlick - b (v·h)(1 - v·h)⁶"};
         case FresnelMethod::table:
@@ -105,6 +111,11 @@ std::string visibility_numbers(Geometry geometry, const MicrofacetChannels& m) {
 void explain_surface(const CookTorranceSetup& setup, const MicrofacetChannels& m, Section& section) {
     section.equation("c", "", "", m.albedo.at(0), "albedo");
     section.equation("α", "roughness²", text(m.roughness.at(0)) + "²", m.alpha.at(0));
+    if (setup.all_wavelengths) {
+        section.equation("F0", "Σ over wavelengths", "", m.f0.at(0),
+                         "measured n and k, through the eye's three curves");
+        return;
+    }
     if (setup.has_index) {
         section.equation("F0", "((n-1)² + k²) / ((n+1)² + k²)",
                          "n = " + vector_text(setup.n) + ", k = " + vector_text(setup.k), m.f0.at(0));

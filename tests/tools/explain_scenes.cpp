@@ -37,18 +37,22 @@ std::vector<NamedScene> scenes_to_explain() {
     const auto add = [&](const std::string& name, const std::string& material, const std::string& more = {}) {
         scenes.push_back({name, scene::read_scene_text(ball_and_wall(material, more), name, "")});
     };
-    for (const char* name : {"unlit", "lambert", "phong", "blinn_phong", "ward"}) add(name, model(name));
+    for (const char* name : {"unlit", "lambert", "phong", "blinn_phong", "ward", "heidrich_seidel"})
+        add(name, model(name));
     for (const char* d : {"ggx", "beckmann", "blinn_phong", "gaussian"}) {
         add(std::string("D ") + d, microfacets(std::string("distribution = \"") + d + "\"\n"));
     }
     for (const char* g : {"smith", "smith_correlated", "implicit", "cook_torrance"}) {
         add(std::string("G ") + g, microfacets(std::string("geometry = \"") + g + "\"\n"));
     }
-    for (const char* f : {"exact", "rescaled_schlick", "corrected_schlick", "f82", "table", "nvidia", "none"}) {
+    for (const char* f : {"exact", "rescaled_schlick", "corrected_schlick", "f82", "table", "nvidia", "none",
+                          "schlick_ior", "corrected_schlick_as_printed"}) {
         add(std::string("F ") + f, microfacets(std::string("fresnel = \"") + f + "\"\n"));
     }
     add("measured metal",
         microfacets("ior = [0.18, 0.42, 1.37]\nextinction = [3.42, 2.35, 1.77]\nfresnel = \"exact\"\n"));
+    add("brushed", model("ward") + "ward_alpha = [0.1, 0.4]\ngrain = [1, 0, 0]\n");
+    add("gold", microfacets("measured = \"gold\"\nfresnel = \"exact\"\n"));
     add("energy compensation", microfacets("energy_compensation = \"kulla_conty\"\n"));
     add("gouraud", model("phong"), "[shading]\nfrequency = \"gouraud\"\n");
     add("flat", model("phong"), "[shading]\nfrequency = \"flat\"\n");
