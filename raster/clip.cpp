@@ -31,8 +31,8 @@ Corner intersect(const Corner& inside, double d_in, const Corner& outside, doubl
             inside.weights + t * (outside.weights - inside.weights)};
 }
 
-/// Keep the part of a convex polygon where dot(plane, position) >= 0.
-Polygon clip_by_plane(const Polygon& in, const glm::dvec4& plane) {
+/// Keep the part of a convex polygon where dot(plane, position) >= 0, or what that would cut off.
+Polygon clip_by_plane(const Polygon& in, const glm::dvec4& plane, bool keep_inside = true) {
     Polygon out;
     for (int i = 0; i < in.count; ++i) {
         const Corner& here = in.corner[i];
@@ -40,7 +40,7 @@ Polygon clip_by_plane(const Polygon& in, const glm::dvec4& plane) {
         const double d_here = glm::dot(plane, here.position);
         const double d_next = glm::dot(plane, next.position);
         if (out.count + 2 > ClipPolygon::kMaxCorners) break;
-        if (d_here >= 0.0) out.corner[out.count++] = here;
+        if ((d_here >= 0.0) == keep_inside) out.corner[out.count++] = here;
         if (d_here >= 0.0 && d_next < 0.0) out.corner[out.count++] = intersect(here, d_here, next, d_next);
         if (d_here < 0.0 && d_next >= 0.0) out.corner[out.count++] = intersect(next, d_next, here, d_here);
     }
@@ -48,11 +48,11 @@ Polygon clip_by_plane(const Polygon& in, const glm::dvec4& plane) {
 }
 
 /// Round to float, then put right what rounding moved out of the view: the rest of the pipeline relies on it.
-ClipVertex rounded(const Corner& corner, float guard_x, float guard_y) {
+ClipVertex rounded(const Corner& corner, float guard_x, float guard_y, FarSide side) {
     glm::vec4 p(corner.position);
     p.x = std::clamp(p.x, -guard_x * p.w, guard_x * p.w);
     p.y = std::clamp(p.y, -guard_y * p.w, guard_y * p.w);
-    p.z = std::clamp(p.z, -p.w, p.w);
+    p.z = side == FarSide::before ? std::clamp(p.z, -p.w, p.w) : std::max(p.z, p.w);
     return {p, glm::vec3(corner.weights)};
 }
 
@@ -62,25 +62,27 @@ bool all_finite(const glm::vec4& v) {
 
 }  // namespace
 
-ClipPolygon clip_triangle(const glm::vec4& a, const glm::vec4& b, const glm::vec4& c, float guard_x, float guard_y) {
+ClipPolygon clip_triangle(const glm::vec4& a, const glm::vec4& b, const glm::vec4& c, float guard_x, float guard_y,
+                          FarSide side) {
     if (!all_finite(a) || !all_finite(b) || !all_finite(c)) return {};
     Polygon polygon;
     polygon.corner[0] = {a, {1.0, 0.0, 0.0}};
     polygon.corner[1] = {b, {0.0, 1.0, 0.0}};
     polygon.corner[2] = {c, {0.0, 0.0, 1.0}};
     polygon.count = 3;
-    const std::array<glm::dvec4, 6> planes = {glm::dvec4(0.0, 0.0, 1.0, 1.0),  // near first: afterwards w > 0
-                                              glm::dvec4(0.0, 0.0, -1.0, 1.0),     glm::dvec4(1.0, 0.0, 0.0, guard_x),
-                                              glm::dvec4(-1.0, 0.0, 0.0, guard_x), glm::dvec4(0.0, 1.0, 0.0, guard_y),
-                                              glm::dvec4(0.0, -1.0, 0.0, guard_y)};
-    for (const glm::dvec4& plane : planes) polygon = clip_by_plane(polygon, plane);
+    polygon = clip_by_plane(polygon, {0.0, 0.0, 1.0, 1.0});  // near first: afterwards w > 0
+    polygon = clip_by_plane(polygon, {0.0, 0.0, -1.0, 1.0}, side == FarSide::before);
+    const std::array<glm::dvec4, 4> sides = {
+        glm::dvec4(1.0, 0.0, 0.0, guard_x), glm::dvec4(-1.0, 0.0, 0.0, guard_x),
+        glm::dvec4(0.0, 1.0, 0.0, guard_y), glm::dvec4(0.0, -1.0, 0.0, guard_y)};
+    for (const glm::dvec4& plane : sides) polygon = clip_by_plane(polygon, plane);
     if (polygon.count < 3) return {};
 
     ClipPolygon result;
     for (int i = 0; i < polygon.count; ++i) {
         // Corners 1e15 times nearer than the triangle is long: not even double tells them from the eye.
         if (!(polygon.corner[i].position.w >= kMinNormal)) return {};
-        result.vertex[result.count++] = rounded(polygon.corner[i], guard_x, guard_y);
+        result.vertex[result.count++] = rounded(polygon.corner[i], guard_x, guard_y, side);
     }
     return result;
 }

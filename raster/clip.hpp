@@ -22,11 +22,14 @@ struct ClipPolygon {
     int count = 0;
 };
 
+/// Which side of the far plane is asked for. Pictures want what lies before it; shadow volumes reach beyond it.
+enum class FarSide { before, beyond };
+
 /// The part of the triangle a, b, c inside the near and far plane and the guard band
-///   -w <= z <= w,   |x| <= guard_x w,   |y| <= guard_y w.
-/// Every corner satisfies inside_guard_band(). Empty (count 0) when nothing of area is left or a coordinate is not
-/// finite. Sutherland & Hodgman 1974
+///   -w <= z <= w,   |x| <= guard_x w,   |y| <= guard_y w;   beyond the far plane: w <= z instead.
+/// Every corner satisfies inside_guard_band(), but for z <= w if it lies beyond. Both parts of a triangle meet in the
+/// same corners. Empty (count 0) when nothing of area is left or a coordinate is not finite.  Sutherland & Hodgman 1974
 [[nodiscard]] ClipPolygon clip_triangle(const glm::vec4& a, const glm::vec4& b, const glm::vec4& c, float guard_x,
-                                        float guard_y);
+                                        float guard_y, FarSide side = FarSide::before);
 
 }  // namespace kreda::raster

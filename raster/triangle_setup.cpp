@@ -194,25 +194,6 @@ void append_vertex(const ClipVertex& vertex, const std::array<std::uint32_t, 3>&
     append_weighted(streams.fog, corner, vertex.weights);
 }
 
-/// The corner from which a fan of triangles covers the polygon without folding over. It is convex before the snap to
-/// 1/256 sample; a sliver may come out of it slightly concave, and then a fan from the wrong corner covers samples
-/// twice.
-int fan_apex(const ScreenVertex* corner, int count) {
-    for (int apex = 0; apex < count; ++apex) {
-        bool any_left = false, any_right = false;
-        for (int i = 1; i + 1 < count; ++i) {
-            const ScreenVertex& a = corner[apex];
-            const ScreenVertex& b = corner[(apex + i) % count];
-            const ScreenVertex& c = corner[(apex + i + 1) % count];
-            const std::int64_t area = edge_function(a.x, a.y, b.x, b.y, c.x, c.y);
-            any_left |= area < 0;
-            any_right |= area > 0;
-        }
-        if (!any_left || !any_right) return apex;
-    }
-    return 0;
-}
-
 /// Draw one clipped triangle as a fan of triangles.
 void draw_fan(const PendingClip& clip, const Frame& frame, const TileGrid& grid, VertexStreams& streams, DrawList& list,
               TriangleCounts& counts) {
@@ -303,6 +284,22 @@ void add(TriangleCounts& sum, const TriangleCounts& counts) {
 }
 
 }  // namespace
+
+int fan_apex(const ScreenVertex* corner, int count) {
+    for (int apex = 0; apex < count; ++apex) {
+        bool any_left = false, any_right = false;
+        for (int i = 1; i + 1 < count; ++i) {
+            const ScreenVertex& a = corner[apex];
+            const ScreenVertex& b = corner[(apex + i) % count];
+            const ScreenVertex& c = corner[(apex + i + 1) % count];
+            const std::int64_t area = edge_function(a.x, a.y, b.x, b.y, c.x, c.y);
+            any_left |= area < 0;
+            any_right |= area > 0;
+        }
+        if (!any_left || !any_right) return apex;
+    }
+    return 0;
+}
 
 TileGrid make_tile_grid(const Viewport& viewport, int samples) {
     TileGrid grid;

@@ -83,6 +83,10 @@ struct TriangleSet {
     return static_cast<std::uint32_t>(chunk << kChunkShift | index);
 }
 
+/// The corner from which a fan of triangles covers a clipped polygon without folding over. It is convex before the snap to
+/// 1/256 sample; a sliver may come out of it slightly concave, and then a fan from the wrong corner covers samples twice.
+[[nodiscard]] int fan_apex(const ScreenVertex* corner, int count);
+
 /// Cull, clip and bin the triangles of all instances. New vertices made by the clipper are appended to the streams,
 /// with every attribute that the streams hold.
 TriangleCounts setup_triangles(const std::vector<MeshInstance>& instances, const glm::mat4& clip_from_world,

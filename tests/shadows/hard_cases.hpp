@@ -109,6 +109,14 @@ inline std::vector<HardCase> hard_cases() {
         s.light = directional_light({0.0f, -5.3f, -3.0f});
     });
     cases.back().looks_along_light = true;
+    add("orthographic along the light below the caster", [](S& s) {
+        add_room(s);
+        s.camera.projection = raster::Projection::orthographic;
+        s.camera.height = 5.0f;
+        s.camera.position = {0.0f, 5.0f, 3.0f};
+        s.light = directional_light({0.0f, -5.3f, -3.0f});
+        s.add("torus_knot", 48, {0.3f, 9.0f, 5.2f});
+    });
     add("loose and degenerate triangles", [](S& s) {
         s.add("plane", 8, {0.0f, -1.5f, 0.0f}, glm::vec3(5.0f));
         s.cull = raster::CullMode::none;
