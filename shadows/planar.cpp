@@ -1,0 +1,128 @@
+#include "shadows/planar.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+
+#include "shadows/light_ray.hpp"
+#include "shadows/screen_triangles.hpp"
+
+namespace kreda::shadows {
+
+namespace {
+
+/// Rows that one thread works through before it takes the next.
+constexpr int kRowsPerBand = 16;
+
+/// An occluder's image may reach this many times as far as the occluder is high; farther away nothing is seen of it.
+constexpr double kFarthestImage = 0x1p20;
+
+/// The part of a convex polygon where dot(form, corner) >= 0.                        Sutherland & Hodgman 1974
+std::vector<glm::dvec4> clip(const std::vector<glm::dvec4>& in, const glm::dvec4& form) {
+    std::vector<glm::dvec4> out;
+    for (std::size_t i = 0; i < in.size(); ++i) {
+        const glm::dvec4& here = in[i];
+        const glm::dvec4& next = in[(i + 1) % in.size()];
+        const double d_here = glm::dot(form, here), d_next = glm::dot(form, next);
+        if (d_here >= 0.0) out.push_back(here);
+        if ((d_here >= 0.0) == (d_next >= 0.0)) continue;
+        // From the inner end: two triangles that share the edge get the same point.
+        const glm::dvec4& inner = d_here >= 0.0 ? here : next;
+        const glm::dvec4& outer = d_here >= 0.0 ? next : here;
+        const double d_in = std::max(d_here, d_next), d_out = std::min(d_here, d_next);
+        out.push_back(inner + d_in / (d_in - d_out) * (outer - inner));
+    }
+    return out;
+}
+
+void append_image(const std::vector<glm::dvec4>& polygon, const glm::dmat4& clip_from_occluder,
+                  const raster::Viewport& viewport, std::vector<ScreenTriangle>& triangles) {
+    const auto image = [&](std::size_t i) { return glm::vec4(clip_from_occluder * polygon[i]); };
+    for (std::size_t i = 1; i + 1 < polygon.size(); ++i) {
+        append_on_screen(image(0), image(i), image(i + 1), viewport, triangles);
+    }
+}
+
+/// Mark every sample that some triangle covers.
+void mark(const std::vector<ScreenTriangle>& triangles, const raster::Viewport& viewport, std::span<float> shadow) {
+    const int bands = (viewport.height + kRowsPerBand - 1) / kRowsPerBand;
+#pragma omp parallel for schedule(dynamic)
+    for (int band = 0; band < bands; ++band) {
+        const int band_first = band * kRowsPerBand;
+        const int band_last = std::min(band_first + kRowsPerBand, viewport.height) - 1;
+        for (const ScreenTriangle& t : triangles) {
+            const raster::SampleBox box = sample_box(t.a, t.b, t.c, viewport.width, viewport.height);
+            const int last = std::min(box.y_last, band_last);
+            for (int y = std::max(box.y_first, band_first); y <= last; ++y) {
+                const SampleSpan span = covered_in_row(t, y, viewport.width);
+                float* row = shadow.data() + static_cast<std::size_t>(y) * viewport.width;
+                if (span.first <= span.last) std::fill(row + span.first, row + span.last + 1, 0.0f);
+            }
+        }
+    }
+}
+
+/// Height below which a corner counts as lying in the plane: the rounding error of positions, as in light_ray.hpp.
+double in_plane_height(double largest_coordinate) {
+    return kInterpolationRoundings * 0x1p-24 * largest_coordinate;
+}
+
+}  // namespace
+
+std::optional<glm::dvec4> plane_of(const Occluder& occluder) {
+    glm::dvec3 normal(0.0);  // of the largest triangle
+    double size = 0.0;
+    for (std::size_t i = 0; i + 2 < occluder.indices.size(); i += 3) {
+        const auto corner = [&](std::size_t k) { return glm::dvec3(occluder.positions[occluder.indices[i + k]]); };
+        const glm::dvec3 n = glm::cross(corner(1) - corner(0), corner(2) - corner(0));
+        if (glm::dot(n, n) > glm::dot(normal, normal)) normal = n;
+        for (std::size_t k = 0; k < 3; ++k) {
+            size = std::max(size, largest_coordinate(occluder.positions[occluder.indices[i + k]]));
+        }
+    }
+    const double length = glm::length(normal);
+    if (!(length > 0.0) || !std::isfinite(length)) return std::nullopt;
+    normal *= (occluder.clockwise ? -1.0 : 1.0) / length;
+    double low = HUGE_VAL, high = -HUGE_VAL;
+    for (const std::uint32_t v : occluder.indices) {
+        const double height = glm::dot(normal, glm::dvec3(occluder.positions[v]));
+        low = std::min(low, height);
+        high = std::max(high, height);
+    }
+    if (!(high - low <= in_plane_height(size))) return std::nullopt;
+    return glm::dvec4(normal, -0.5 * (low + high));
+}
+
+std::vector<glm::dvec4> between_plane_and_light(const glm::dvec4& plane, const glm::dvec4& light, const glm::vec3& a,
+                                                const glm::vec3& b, const glm::vec3& c) {
+    const double size =
+        std::max({largest_coordinate(a), largest_coordinate(b), largest_coordinate(c), std::abs(plane.w)});
+    const glm::dvec4 above = plane - glm::dvec4(0.0, 0.0, 0.0, in_plane_height(size));
+    std::vector<glm::dvec4> polygon = {{glm::dvec3(a), 1.0}, {glm::dvec3(b), 1.0}, {glm::dvec3(c), 1.0}};
+    polygon = clip(polygon, above);
+    if (light.w == 0.0) return polygon;
+    const double light_height = glm::dot(plane, light) * (1.0 - 1.0 / kFarthestImage);
+    return clip(polygon, glm::dvec4(0.0, 0.0, 0.0, light_height) - plane);
+}
+
+void planar_shadow(std::span<const Occluder> occluders, const glm::dvec4& plane, const ShadowLight& light,
+                   const VisibleSamples& samples, std::span<float> shadow) {
+    std::fill(shadow.begin(), shadow.end(), 1.0f);
+    const glm::dvec4 from = homogeneous(light);
+    const double light_height = glm::dot(plane, from);
+    if (light_height == 0.0) return;  // the light shines along the plane: nothing arrives, nothing is cast
+    const glm::dvec4 toward = light_height > 0.0 ? plane : -plane;
+    const glm::dmat4 clip_from_occluder = glm::dmat4(samples.clip_from_world) * planar_projection(toward, from);
+    std::vector<ScreenTriangle> triangles;
+    for (const Occluder& occluder : occluders) {
+        for (std::size_t i = 0; i + 2 < occluder.indices.size(); i += 3) {
+            const auto corner = [&](std::size_t k) { return occluder.positions[occluder.indices[i + k]]; };
+            const std::vector<glm::dvec4> polygon =
+                between_plane_and_light(toward, from, corner(0), corner(1), corner(2));
+            append_image(polygon, clip_from_occluder, samples.viewport, triangles);
+        }
+    }
+    mark(triangles, samples.viewport, shadow);
+}
+
+}  // namespace kreda::shadows
