@@ -15,7 +15,7 @@ namespace {
 constexpr int kMaxGridSide = 4096;
 
 /// Axes across a direction: where its smallest component is, the cross product is safe.
-LightView view_along(const glm::dvec3& direction) {
+GridView view_along(const glm::dvec3& direction) {
     const glm::dvec3 d = glm::abs(direction);
     const glm::dvec3 helper = d.x <= d.y && d.x <= d.z ? glm::dvec3(1, 0, 0)
                               : d.y <= d.z             ? glm::dvec3(0, 1, 0)
@@ -26,7 +26,7 @@ LightView view_along(const glm::dvec3& direction) {
 }
 
 /// Face 2 axis + (negative side) of the cube around a point.
-LightView cube_face(const glm::dvec3& centre, int face) {
+GridView cube_face(const glm::dvec3& centre, int face) {
     glm::dvec3 rows[3] = {};
     rows[0][(face / 2 + 1) % 3] = 1.0;
     rows[1][(face / 2 + 2) % 3] = 1.0;
@@ -78,9 +78,9 @@ void sort_points(LightGrid& grid) {
 
 }  // namespace
 
-std::vector<LightView> light_views(const ShadowLight& light) {
+std::vector<GridView> grid_views(const ShadowLight& light) {
     if (light.kind == LightKind::directional) return {view_along(light.direction)};
-    std::vector<LightView> views;
+    std::vector<GridView> views;
     for (int face = 0; face < 6; ++face) views.push_back(cube_face(light.position, face));
     return views;
 }
@@ -95,7 +95,7 @@ int view_of(const ShadowLight& light, const glm::vec3& p) {
 }
 
 std::vector<LightGrid> make_light_grids(const ShadowLight& light, const VisibleSamples& samples) {
-    const std::vector<LightView> views = light_views(light);
+    const std::vector<GridView> views = grid_views(light);
     std::vector<LightGrid> grids(views.size());
     for (std::size_t v = 0; v < views.size(); ++v) grids[v].view = views[v];
     for (std::uint32_t i = 0; i < samples.depth.size(); ++i) {

@@ -18,18 +18,18 @@ namespace kreda::shadows {
 /// A picture that the light takes, as three linear forms of a world point (p, 1): it is seen at (x/w, y/w), and only
 /// where w > 0. Directional: w = 1. Point and spot: one of the six faces of a cube around the light, w the distance
 /// along its axis.
-struct LightView {
+struct GridView {
     glm::dvec4 x{0.0}, y{0.0}, w{0.0};
 };
 
 /// (x, y, w) of a point.
-inline glm::dvec3 project(const LightView& view, const glm::vec3& p) {
+inline glm::dvec3 project(const GridView& view, const glm::vec3& p) {
     const glm::dvec4 q(glm::dvec3(p), 1.0);
     return {glm::dot(view.x, q), glm::dot(view.y, q), glm::dot(view.w, q)};
 }
 
 /// The views that a light needs: one for a directional light, six around any other.
-[[nodiscard]] std::vector<LightView> light_views(const ShadowLight& light);
+[[nodiscard]] std::vector<GridView> grid_views(const ShadowLight& light);
 
 /// Which of the views looks at p; -1 for a point that is where the light is.
 [[nodiscard]] int view_of(const ShadowLight& light, const glm::vec3& p);
@@ -42,7 +42,7 @@ struct LightPoint {
 
 /// The points of one view, cell by cell. The grid fits around them, with about one cell a point.
 struct LightGrid {
-    LightView view;
+    GridView view;
     glm::dvec2 low{0.0}, high{0.0};  ///< of x/w and y/w
     int columns = 0, rows = 0;
     std::vector<std::uint32_t> begin;  ///< cell c = row * columns + column owns points[begin[c] .. begin[c+1])

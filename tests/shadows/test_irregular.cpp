@@ -93,7 +93,7 @@ TEST_CASE("irregular z-buffer: the grid holds every visible sample once in the c
 TEST_CASE("irregular z-buffer: the cells of a triangle are those it touches - by cutting it with every cell") {
     Random random(5);
     LightGrid grid;
-    grid.view = light_views(directional_light({0, 0, -1}))[0];
+    grid.view = grid_views(directional_light({0, 0, -1}))[0];
     grid.low = glm::dvec2(-1.0);
     grid.high = glm::dvec2(1.0);
     grid.columns = 13;
