@@ -1,0 +1,165 @@
+// Where a point of a surface lies in a light's picture, and how much nearer to the light it must be taken to be: the bias.
+#pragma once
+
+#include <glm/geometric.hpp>
+#include <glm/mat3x3.hpp>
+#include <glm/vec2.hpp>
+#include <glm/vec3.hpp>
+
+#include "shadows/light_view.hpp"
+
+namespace kreda::shadows {
+
+/// How far a flat surface falls away from the light from one texel to the next: to the right, and down.  [world units]
+struct DepthSlope {
+    float u = 0.0f, v = 0.0f;
+};
+
+/// The least bias that keeps a flat surface from shadowing itself when the nearest texel is read. Its depth is right at
+/// the texel's centre, at most half a texel away in u and in v:
+///     B = (|z_u| + |z_v|) / 2
+/// A filter of (2m + 1)^2 texels that compares all of them with one depth needs (2m + 1) B.
+/// Holds to the last digit, up to the rasterizer's snap to 1/256 texel (tested).   Dou, Yan, Kerzner, Dai, Wyman 2014
+inline float least_bias(const DepthSlope& slope) {
+    const float u = slope.u < 0.0f ? -slope.u : slope.u;
+    const float v = slope.v < 0.0f ? -slope.v : slope.v;
+    return 0.5f * (u + v);
+}
+
+/// The least shift along the normal that does the same: the surface moved by delta is nearer to the light by
+/// delta / cos(theta), and B = texel (|n_x| + |n_y|) / (2 cos(theta)), so
+///     delta = texel (|n_x| + |n_y|) / 2  <=  (texel / sqrt(2)) sin(theta)
+/// with n in the light's axes. It stays bounded where the light grazes the surface.                  Holbert 2011
+inline float least_normal_offset(const glm::vec3& n_view, const glm::vec2& texel) {
+    const float x = n_view.x < 0.0f ? -n_view.x : n_view.x;
+    const float y = n_view.y < 0.0f ? -n_view.y : n_view.y;
+    return 0.5f * (texel.x * x + texel.y * y);
+}
+
+/// Beyond this angle a surface is taken to be no steeper: the slope is the tangent, and it has no bound.
+inline constexpr float kLeastCosine = 0.01f;
+
+/// cos(theta) with its sign, kept away from zero.
+inline float steepness_limit(float cosine) {
+    const float positive = cosine > kLeastCosine ? cosine : kLeastCosine;
+    const float negative = cosine < -kLeastCosine ? cosine : -kLeastCosine;
+    return cosine < 0.0f ? negative : positive;
+}
+
+/// A directional light: the plane n . q = c has distance (n_x x + n_y y - c) / n_z.   texel: its width and height
+inline DepthSlope slope_parallel(const glm::vec3& n_view, const glm::vec2& texel) {
+    const float inverse = 1.0f / steepness_limit(n_view.z);
+    return {n_view.x * inverse * texel.x, -n_view.y * inverse * texel.y};
+}
+
+/// A light with a position: on the plane 1/distance = (n_x X + n_y Y - n_z) / c is affine in the tangents X = x/distance
+/// and Y = y/distance; its derivative gives the distance's.   q: the point in view space; texel: in tangents
+inline DepthSlope slope_perspective(const glm::vec3& n_view, const glm::vec3& q, float distance,
+                                    const glm::vec2& texel) {
+    const float cosine = -glm::dot(n_view, q) / distance;  // of the angle with the ray, times its length for distance 1
+    const float factor = distance / steepness_limit(cosine);
+    return {n_view.x * factor * texel.x, -n_view.y * factor * texel.y};
+}
+
+/// What the bias is made of, in world units along the light's axis.
+struct BiasTerms {
+    float constant = 0.0f;       ///< taken off the distance
+    float slope = 0.0f;          ///< times least_bias()
+    float normal_offset = 0.0f;  ///< times least_normal_offset()
+    float follow_plane = 0.0f;   ///< 1: taps beside the centre are compared with the surface's plane, 0: with one depth
+};
+
+/// The terms for a map whose depth 0..1 spans near..far.
+[[nodiscard]] inline BiasTerms bias_terms(const ShadowSettings& settings, float depth_range) {
+    const float constant = settings.constant_bias * depth_range;
+    switch (settings.bias) {
+        case ShadowBias::none: return {};
+        case ShadowBias::constant: return {constant, 0.0f, 0.0f, 0.0f};
+        case ShadowBias::slope: return {constant, settings.slope_bias, 0.0f, 1.0f};
+        case ShadowBias::normal_offset: return {constant, 0.0f, settings.slope_bias, 1.0f};
+    }
+    return {};
+}
+
+/// A surface point in a light's picture.
+struct MapPoint {
+    float u = 0.0f, v = 0.0f;  ///< texels from the upper left corner: column and row of its texel are the whole parts
+    float distance = 0.0f;     ///< from the light along its axis, less the bias, world units
+    DepthSlope slope;          ///< of the surface there; 0 where the bias does not follow it
+};
+
+/// One picture, as the loop over a batch needs it.
+struct PictureScale {
+    glm::vec2 texel{1.0f};           ///< its width and height: world units, or tangents
+    glm::vec2 texels_per_unit{1.0f};
+    float half_side = 0.5f;          ///< half the number of texels a side
+};
+
+[[nodiscard]] inline PictureScale picture_scale(const LightView& view, int size) {
+    const float side = static_cast<float>(size);
+    return {2.0f * view.half_size / side, side / (2.0f * view.half_size), 0.5f * side};
+}
+
+/// q: the point, n_view: a unit normal of its surface (either side), both in the axes of a directional light.
+inline MapPoint map_point_parallel(const glm::vec3& q, const glm::vec3& n_view, const PictureScale& scale,
+                                   const BiasTerms& bias) {
+    const float to_light = n_view.z < 0.0f ? -bias.normal_offset : bias.normal_offset;
+    const glm::vec3 moved = q + n_view * (to_light * least_normal_offset(n_view, scale.texel));
+    const DepthSlope slope = slope_parallel(n_view, scale.texel);
+    MapPoint point;
+    point.u = moved.x * scale.texels_per_unit.x + scale.half_side;
+    point.v = scale.half_side - moved.y * scale.texels_per_unit.y;
+    point.distance = -moved.z - bias.constant - bias.slope * least_bias(slope);
+    point.slope = {slope.u * bias.follow_plane, slope.v * bias.follow_plane};
+    return point;
+}
+
+/// The same for a light at the origin of the axes. A point at or behind it comes out somewhere, at distance 0 or less: lit.
+inline MapPoint map_point_perspective(const glm::vec3& q, const glm::vec3& n_view, const PictureScale& scale,
+                                      const BiasTerms& bias) {
+    constexpr float kTiny = 1e-20f;
+    const float before = -q.z > kTiny ? -q.z : kTiny;
+    const float to_light = glm::dot(n_view, q) > 0.0f ? -bias.normal_offset : bias.normal_offset;
+    const glm::vec3 moved = q + n_view * (to_light * least_normal_offset(n_view, scale.texel * before));
+    const float distance = -moved.z > kTiny ? -moved.z : kTiny;
+    const float inverse = 1.0f / distance;
+    const DepthSlope slope = slope_perspective(n_view, moved, distance, scale.texel);
+    MapPoint point;
+    point.u = moved.x * inverse * scale.texels_per_unit.x + scale.half_side;
+    point.v = scale.half_side - moved.y * inverse * scale.texels_per_unit.y;
+    point.distance = distance - bias.constant - bias.slope * least_bias(slope);
+    point.slope = {slope.u * bias.follow_plane, slope.v * bias.follow_plane};
+    return point;
+}
+
+/// A direction or position in the axes of the face of a cube that `toward` points through. The faces are those of
+/// cube_views(): +x -x +y -y +z -z.
+struct CubeFace {
+    int face = 0;
+    float sign = 1.0f;  ///< of the greatest coordinate
+};
+
+inline CubeFace cube_face(const glm::vec3& toward) {
+    const float x = toward.x < 0.0f ? -toward.x : toward.x;
+    const float y = toward.y < 0.0f ? -toward.y : toward.y;
+    const float z = toward.z < 0.0f ? -toward.z : toward.z;
+    const bool is_x = (x >= y) & (x >= z);
+    const bool is_y = !is_x & (y >= z);
+    const float greatest = is_x ? toward.x : (is_y ? toward.y : toward.z);
+    CubeFace found;
+    found.sign = greatest < 0.0f ? -1.0f : 1.0f;
+    found.face = (is_x ? 0 : (is_y ? 2 : 4)) + (greatest < 0.0f ? 1 : 0);
+    return found;
+}
+
+/// World axes -> right, up, backward of that face.
+inline glm::vec3 in_face_axes(const CubeFace& f, const glm::vec3& v) {
+    const bool is_x = f.face < 2;
+    const bool is_y = (f.face >= 2) & (f.face < 4);
+    const float right = is_x ? v.z : (is_y ? v.x : -v.x);
+    const float up = is_y ? v.z : v.y;
+    const float forward = is_x ? v.x : (is_y ? v.y : v.z);
+    return {f.sign * right, up, -f.sign * forward};
+}
+
+}  // namespace kreda::shadows

@@ -1,0 +1,144 @@
+#include "shadows/shadow_map.hpp"
+
+#include <algorithm>
+
+#include "raster/platform.hpp"
+#include "raster/rasterize_tile.hpp"
+
+namespace kreda::shadows {
+
+namespace {
+
+using raster::kTileSide;
+
+raster::CullMode cull_mode(CasterCull cull) {
+    switch (cull) {
+        case CasterCull::none: return raster::CullMode::none;
+        case CasterCull::back: return raster::CullMode::back;
+        case CasterCull::front: return raster::CullMode::front;
+    }
+    return raster::CullMode::none;
+}
+
+/// Window depth back to distance. A perspective depth is z = a - b / distance with a = f / (f - n) and b = n a; that of
+/// parallel rays goes evenly from near to far.
+struct DistanceFromDepth {
+    float a = 0.0f, b = 0.0f;       ///< perspective
+    float near = 0.0f, range = 1.0f;  ///< parallel
+
+    explicit DistanceFromDepth(const LightView& view)
+        : a(view.far / (view.far - view.near)), b(view.near * a), near(view.near), range(view.far - view.near) {}
+
+    [[nodiscard]] float perspective(float z) const { return b / (a - z); }
+    [[nodiscard]] float parallel(float z) const { return near + range * z; }
+};
+
+/// One row of a tile: depth -> distance; where nothing was drawn, nothing casts.
+KREDA_BATCH_LOOP void write_row(const float* __restrict depth, int count, const DistanceFromDepth& from_depth,
+                                bool is_perspective, float* __restrict distance) {
+    const DistanceFromDepth convert = from_depth;
+    if (is_perspective) {
+        for (int i = 0; i < count; ++i) {
+            const float found = convert.perspective(depth[i]);
+            distance[i] = depth[i] < raster::kClearDepth ? found : kNoCaster;
+        }
+    } else {
+        for (int i = 0; i < count; ++i) {
+            const float found = convert.parallel(depth[i]);
+            distance[i] = depth[i] < raster::kClearDepth ? found : kNoCaster;
+        }
+    }
+}
+
+KREDA_BATCH_LOOP float least_of(const float* values, int count) {
+    float least[16];
+    std::fill(std::begin(least), std::end(least), kNoCaster);
+    int i = 0;
+    for (; i + 16 <= count; i += 16) {
+        for (int k = 0; k < 16; ++k) least[k] = values[i + k] < least[k] ? values[i + k] : least[k];
+    }
+    for (; i < count; ++i) least[0] = std::min(least[0], values[i]);
+    return *std::min_element(std::begin(least), std::end(least));
+}
+
+/// Draw one face, tile by tile; returns the least distance in it.
+float draw_face(const ShadowMapBuffers& buffers, const LightView& view, int size, int stride, float* face) {
+    const raster::Viewport viewport{size, size};
+    const DistanceFromDepth from_depth(view);
+    const int tile_count = buffers.triangles.grid.columns * buffers.triangles.grid.rows;
+    float nearest = kNoCaster;
+#pragma omp parallel for schedule(dynamic) reduction(min : nearest)
+    for (int t = 0; t < tile_count; ++t) {
+        raster::TileVisibility tile;
+        const raster::TileArea area = tile_area(buffers.triangles.grid, viewport, t);
+        rasterize_tile(buffers.streams, buffers.triangles, area, tile);
+        for (int y = 0; y < area.height; ++y) {
+            float* row = face + static_cast<std::size_t>(area.y + y + 1) * stride + area.x + 1;
+            write_row(&tile.depth[y * kTileSide], area.width, from_depth, view.perspective, row);
+            nearest = std::min(nearest, least_of(row, area.width));
+        }
+    }
+    return nearest;
+}
+
+/// The ring around a face: no caster, or (cube) the nearest texel of the face itself.
+void fill_ring(int size, int stride, bool repeat_edge, float* face) {
+    const auto texel = [&](int column, int row) -> float& {
+        return face[static_cast<std::size_t>(row + 1) * stride + column + 1];
+    };
+    const auto inside = [&](int i) { return std::clamp(i, 0, size - 1); };
+    for (int i = -1; i <= size; ++i) {
+        for (const int edge : {-1, size}) {
+            texel(i, edge) = repeat_edge ? texel(inside(i), inside(edge)) : kNoCaster;
+            texel(edge, i) = repeat_edge ? texel(inside(edge), inside(i)) : kNoCaster;
+        }
+    }
+}
+
+}  // namespace
+
+int filter_margin(const ShadowSettings& settings) {
+    switch (settings.filter) {
+        case ShadowFilter::none: return 1;
+        case ShadowFilter::pcf: return settings.radius + 1;
+        case ShadowFilter::pcss: return settings.size / 16 + 1;
+    }
+    return 1;
+}
+
+void draw_shadow_map(std::vector<raster::MeshInstance>& casters, const ShadowMapPlan& plan, ShadowMapBuffers& buffers,
+                     ShadowMap& map) {
+    map.plan = plan;
+    map.nearest = kNoCaster;
+    map.distance.resize(plan.views.size() * static_cast<std::size_t>(map.face_stride()));
+    const raster::Viewport viewport{map.size(), map.size()};
+    float* face = map.distance.data();
+    for (const LightView& view : plan.views) {
+        const glm::mat4 clip = clip_from_world(view);
+        lay_out_vertices(casters, {}, buffers.streams);
+        transform_vertices(casters, clip, viewport, buffers.streams);
+        setup_triangles(casters, clip, viewport, cull_mode(plan.settings.cull), 1, buffers.streams, buffers.triangles);
+        map.nearest = std::min(map.nearest, draw_face(buffers, view, map.size(), map.stride(), face));
+        fill_ring(map.size(), map.stride(), plan.views.size() > 1, face);
+        face += map.face_stride();
+    }
+}
+
+raster::Image shadow_map_picture(const ShadowMap& map) {
+    const int faces = static_cast<int>(map.plan.views.size());
+    float farthest = 0.0f;
+    for (const float d : map.distance) farthest = d < kNoCaster ? std::max(farthest, d) : farthest;
+    const float range = farthest > map.nearest ? farthest - map.nearest : 1.0f;
+    raster::Image picture = raster::make_image(map.size() * faces, map.size(), 1);
+    for (int face = 0; face < faces; ++face) {
+        for (int y = 0; y < map.size(); ++y) {
+            for (int x = 0; x < map.size(); ++x) {
+                const float d = map.at(face, x, y);
+                picture.at(0, face * map.size() + x, y) = d < kNoCaster ? (d - map.nearest) / range : 1.0f;
+            }
+        }
+    }
+    return picture;
+}
+
+}  // namespace kreda::shadows
