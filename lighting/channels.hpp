@@ -25,6 +25,8 @@ struct LightingChannels {
     raster::Channel3 l;           ///< unit, to the light that is being added
     raster::Channel3 irradiance;  ///< what that light sends, s(p); in shadow what the shadow leaves of it
     raster::Channel shadow;       ///< of that light: 1 lit .. 0 in full shadow; only where it casts shadows
+    raster::Channel blocker_distance;  ///< from a point back to what keeps that light from it, world units; only for views
+    raster::Channel penumbra;     ///< width of that shadow's soft edge there, world units; only for views
     raster::Channel3 ambient;     ///< s_A m_A + m_E
     raster::Channel3 diffuse;     ///< sum over lights of s m_D (l.n)
     raster::Channel3 specular;    ///< sum over lights of s m_S Sigma^h

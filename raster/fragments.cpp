@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <bit>
 
+#include <glm/geometric.hpp>
+
 #include "raster/platform.hpp"
 
 namespace kreda::raster {
@@ -116,6 +118,7 @@ struct Attributes {
     const ScreenVertex* screen;
     const glm::vec3* position;
     const glm::vec3* normal;
+    const glm::vec3* face_corners;  ///< positions again, for the normal of the triangle itself
     const glm::vec3* color;
     const glm::vec2* uv;
     const glm::vec4* tangent;
@@ -131,6 +134,13 @@ inline void interpolate_uv(const Attributes& in, const std::array<std::uint32_t,
     if (!with_steps) return;
     fill_steps(weights, lanes, u, out.u.value + first, out.du_dx.value + first, out.du_dy.value + first);
     fill_steps(weights, lanes, t, out.v.value + first, out.dv_dx.value + first, out.dv_dy.value + first);
+}
+
+/// Every sample of a run lies on the same triangle.
+inline void fill_face_normal(const glm::vec3* position, const std::array<std::uint32_t, 3>& v, int lanes, Channel3& out,
+                             int first) {
+    const glm::vec3 normal = glm::cross(position[v[1]] - position[v[0]], position[v[2]] - position[v[0]]);
+    for (int i = first; i < first + lanes; ++i) out.set(i, normal);
 }
 
 inline void interpolate_tangent(const glm::vec4* tangent, const std::array<std::uint32_t, 3>& v, const WeightRow& b,
@@ -156,6 +166,7 @@ inline void interpolate_run(const Attributes& in, const ScreenTriangle& triangle
     fill_weights(weights, lanes, b);
     if (in.position) blend3(b, lanes, in.position, v, out.position, first);
     if (in.normal) blend3(b, lanes, in.normal, v, out.normal, first);
+    if (in.face_corners) fill_face_normal(in.face_corners, v, lanes, out.face_normal, first);
     if (in.color) blend3(b, lanes, in.color, v, out.color, first);
     if (in.uv) interpolate_uv(in, v, weights, b, lanes, with_uv_steps, out, first);
     if (in.tangent) interpolate_tangent(in.tangent, v, b, lanes, out, first);
@@ -213,6 +224,7 @@ void interpolate_runs(const VertexStreams& streams, const TriangleSet& set, cons
     const Attributes attributes{streams.screen.data(),
                                 needs.position ? streams.position_world.data() : nullptr,
                                 needs.normal ? streams.normal_world.data() : nullptr,
+                                needs.face_normal ? streams.position_world.data() : nullptr,
                                 needs.color ? streams.color.data() : nullptr,
                                 needs.uv ? streams.uv.data() : nullptr,
                                 needs.tangent ? streams.tangent_world.data() : nullptr,

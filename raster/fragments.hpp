@@ -64,6 +64,7 @@ struct Fragments {
     int count = 0;
     Channel3 position;  ///< world space
     Channel3 normal;    ///< world space, as interpolated: not normalized
+    Channel3 face_normal;  ///< world space, perpendicular to the triangle itself, on one side or the other; any length
     Channel3 color;     ///< lit at the vertices (Gouraud) or once a triangle (flat)
     Channel fog;        ///< fog factor of the vertices
     Channel u, v;       ///< texture coordinates
@@ -77,13 +78,14 @@ struct Fragments {
 struct FragmentNeeds {
     bool position = false;
     bool normal = false;
+    bool face_normal = false;
     bool color = false;
     bool uv = false;
     bool uv_steps = false;  ///< with uv: how far it is to the neighbouring samples' uv
     bool tangent = false;
     bool fog = false;
 
-    [[nodiscard]] bool any() const { return position || normal || color || uv || tangent || fog; }
+    [[nodiscard]] bool any() const { return position || normal || face_normal || color || uv || tangent || fog; }
 };
 
 enum class AttributeInterpolation { perspective, affine };

@@ -78,6 +78,7 @@ void light_chunk(const Frame& frame, const raster::TriangleChunk& chunk, std::ve
 void set_vertex_point(const raster::VertexStreams& streams, std::uint32_t vertex, int i, raster::Fragments& points) {
     points.position.set(i, streams.position_world[vertex]);
     points.normal.set(i, streams.normal_world[vertex]);
+    points.face_normal.set(i, streams.normal_world[vertex]);
 }
 
 float orientation_of(const glm::mat4& world_from_object) {
@@ -94,6 +95,7 @@ void set_flat_point(const RenderBuffers& buffers, const raster::TriangleChunk& c
     const glm::vec3 c = position[index[2]];
     points.position.set(i, (a + b + c) * (1.0f / 3.0f));
     points.normal.set(i, orientation * glm::cross(b - a, c - a));
+    points.face_normal.set(i, points.normal.at(i));
 }
 
 void light_vertices(const Frame& frame) {

@@ -55,6 +55,7 @@ raster::FragmentNeeds fragment_needs(const RenderPlan& plan) {
     raster::FragmentNeeds needs;
     needs.position = plan.frequency == ShadingFrequency::phong || plan.fog_at_pixels;
     needs.normal = plan.frequency == ShadingFrequency::phong;
+    needs.face_normal = plan.frequency == ShadingFrequency::phong && !plan.shadows.empty();
     needs.color = plan.frequency == ShadingFrequency::gouraud;
     needs.fog = plan.fog_at_vertices;
     for (const View* view : plan.views) {
@@ -93,6 +94,19 @@ void plan_triangles(const Sizes& sizes, RenderPlan& plan) {
         plan.passes.push_back({"light triangles",
                                "shading.frequency = \"flat\": once a triangle, at its centroid",
                                {{"flat color", sizes.triangles * sizeof(glm::vec3)}}});
+    }
+}
+
+void plan_shadow_maps(const Scene& scene, RenderPlan& plan) {
+    for (const PlannedShadow& shadow : plan.shadows) {
+        const std::uint64_t side = static_cast<std::uint64_t>(shadow.map.settings.size) + 2;
+        const std::uint64_t faces = shadow.map.views.size();
+        plan.passes.push_back({"shadow map of light " + std::to_string(shadow.light),
+                               "shadow = true: " + std::to_string(shadow.casters.size()) + " of " +
+                                   std::to_string(scene.objects.size()) + " objects can cast onto what is seen; " +
+                                   (faces == 1 ? "one picture" : "six pictures") + " of " + std::to_string(side - 2) +
+                                   " x " + std::to_string(side - 2) + " texels",
+                               {{"distances", faces * side * side * sizeof(float)}}});
     }
 }
 
@@ -160,16 +174,26 @@ RenderPlan make_plan(const Scene& scene, const std::vector<const View*>& views) 
     const bool foggy = scene.fog.mode != lighting::FogMode::none && !scene.objects.empty();
     plan.fog_at_vertices = foggy && scene.fog.frequency == lighting::FogFrequency::vertex;
     plan.fog_at_pixels = foggy && scene.fog.frequency == lighting::FogFrequency::pixel;
+    ShadowPlan shadow_plan = plan_shadows(scene, plan.frequency == ShadingFrequency::phong);
+    plan.shadows = std::move(shadow_plan.shadows);
+    plan.shows_blockers = std::any_of(views.begin(), views.end(), [](const View* view) {
+        return view->name == "blocker_distance" || view->name == "penumbra";
+    });
     plan.vertex = vertex_needs(scene, plan);
     plan.fragment = fragment_needs(plan);
     for (const lighting::Material& material : scene.materials) plan.materials.push_back(prepare(material));
     if (!scene.objects.empty()) {
         plan_vertices(scene, sizes, plan);
+        plan_shadow_maps(scene, plan);
         plan_triangles(sizes, plan);
         plan_tiles(scene, plan);
     }
     plan_film(scene, sizes, plan);
     list_left_out(plan);
+    if (plan.shadows.empty() && shadow_plan.why_not.empty()) {
+        plan.left_out.push_back({"shadow maps", "no light that is on has shadow = true"});
+    }
+    for (const std::string& why_not : shadow_plan.why_not) plan.left_out.push_back({"shadow map", why_not});
     return plan;
 }
 

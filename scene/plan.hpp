@@ -10,6 +10,7 @@
 #include "raster/triangle_setup.hpp"
 #include "raster/vertex_stage.hpp"
 #include "scene/scene.hpp"
+#include "scene/shadow_plan.hpp"
 #include "scene/views.hpp"
 
 namespace kreda::scene {
@@ -42,6 +43,8 @@ struct RenderPlan {
     raster::FragmentNeeds fragment;  ///< attributes that are interpolated for each visible sample
     std::vector<lighting::MaterialSetup> materials;  ///< the scene's, made ready
     bool has_lights = false;     ///< one that is on
+    std::vector<PlannedShadow> shadows;  ///< one for each light that casts shadows onto something seen
+    bool shows_blockers = false;  ///< a view asks what blocks the light, and how wide the penumbra is
     bool fog_at_vertices = false;
     bool fog_at_pixels = false;
     std::vector<const View*> views;  ///< written beside the film

@@ -187,6 +187,7 @@ void ObjectReader::read_object(const Value& table) {
         object.part_material.push_back(index >= 0 ? index : material_of_none());
     }
     object.part_hidden = hidden_parts(table, *shared.mesh);
+    read(table, "casts_shadow", object.casts_shadow);
     scene.objects.push_back(std::move(object));
 }
 

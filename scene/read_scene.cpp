@@ -134,6 +134,20 @@ lighting::Light read_light(const Value& table) {
     return light;
 }
 
+shadows::ShadowSettings read_shadow(const Value& table) {
+    shadows::ShadowSettings shadow;
+    read_word(table, "method", shadow.method);
+    read(table, "size", shadow.size);
+    read_word(table, "filter", shadow.filter);
+    read(table, "radius", shadow.radius);
+    read(table, "light_size", shadow.light_size);
+    read_word(table, "bias", shadow.bias);
+    read(table, "constant_bias", shadow.constant_bias);
+    read(table, "slope_bias", shadow.slope_bias);
+    read_word(table, "cull", shadow.cull);
+    return shadow;
+}
+
 lighting::Fog read_fog(const Value& table) {
     lighting::Fog fog;
     read_word(table, "mode", fog.mode);
@@ -156,6 +170,7 @@ Scene build_scene(const Value& root, const std::string& name, const std::string&
     if (const Value* tables = find(root, "light")) {
         for (const Value& table : tables->items) scene.lights.push_back(read_light(table));
     }
+    if (const Value* table = find(root, "shadow")) scene.shadow = read_shadow(*table);
     if (const Value* table = find(root, "fog")) scene.fog = read_fog(*table);
     if (const Value* tables = find(root, "material")) read_materials(*tables, scene);
     read_objects(root, folder, options, scene);

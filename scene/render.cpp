@@ -5,6 +5,7 @@
 #endif
 
 #include "scene/early_lighting.hpp"
+#include "scene/shadow_pass.hpp"
 #include "scene/stopwatch.hpp"
 #include "scene/tile_pass.hpp"
 
@@ -160,6 +161,10 @@ RenderStatistics render(const Scene& scene, const RenderPlan& plan, RenderBuffer
     lay_out_vertices(buffers.instances, plan.vertex, buffers.streams);
     transform_vertices(buffers.instances, clip_from_world, plan.viewport, buffers.streams);
     lap("vertices");
+    if (!plan.shadows.empty()) {
+        prepare_shadows(frame);
+        lap("shadow maps");
+    }
     if (plan.vertex.color) {
         light_vertices(frame);
         lap("light vertices");

@@ -17,6 +17,7 @@
 namespace kreda::scene {
 
 struct Frame;
+struct ShadowMemory;
 struct TileScratch;
 
 /// The memory of a frame. Keep it from frame to frame and nothing is allocated twice.
@@ -29,6 +30,7 @@ struct RenderBuffers {
     std::vector<raster::MeshInstance> instances;
     raster::VertexStreams streams;
     raster::TriangleSet triangles;
+    std::vector<ShadowMemory> shadows;                    ///< one for each of the plan's shadows
     std::vector<std::vector<glm::vec3>> flat_color;       ///< flat shading: one a triangle, chunk by chunk
     std::vector<std::unique_ptr<TileScratch>> scratch;    ///< one a thread
     raster::Image film;                                   ///< linear RGB radiance, row 0 on top

@@ -17,6 +17,7 @@
 #include "raster/film.hpp"
 #include "raster/mesh.hpp"
 #include "scene/error.hpp"
+#include "shadows/shadow.hpp"
 
 namespace kreda::scene {
 
@@ -53,6 +54,7 @@ struct Object {
     glm::mat4 world_from_object{1.0f};
     std::vector<int> part_material;              ///< for each part of the mesh: index into Scene::materials
     std::vector<bool> part_hidden;               ///< for each part of the mesh: not drawn
+    bool casts_shadow = true;
 };
 
 struct Scene {
@@ -62,6 +64,7 @@ struct Scene {
     ShadingSettings shading;
     glm::vec3 ambient{0.05f};                    ///< s_A
     std::vector<lighting::Light> lights;
+    shadows::ShadowSettings shadow;              ///< for all lights with shadow = true
     lighting::Fog fog;
     std::vector<lighting::Material> materials;   ///< at least one when there is an object
     std::vector<Object> objects;

@@ -69,6 +69,22 @@ std::vector<KeyInfo> make_keys() {
         {"light", "shadow", boolean, "false", "whether it casts shadows", kAny, {}, ""},
         {"light", "on", boolean, "true", "false switches it off", kAny, {}, ""},
 
+        {"shadow", "method", word, "\"map\"", "how shadows are found", kAny,
+         {"map", "planar", "volume", "irregular", "exact"}, ""},
+        {"shadow", "size", whole, "1024", "map: texels a side", {1, 8192}, {}, ""},
+        {"shadow", "filter", word, "\"none\"", "map: hard edges, blurred ones, or as soft as the light is wide", kAny,
+         {"none", "pcf", "pcss"}, ""},
+        {"shadow", "radius", whole, "1", "pcf: mean of (2 radius + 1)^2 texels", {0, 64}, {}, ""},
+        {"shadow", "light_size", number, "0.2", "pcss: the light's width; directional: seen from distance 1",
+         kNotNegative, {}, ""},
+        {"shadow", "bias", word, "\"slope\"", "map: what keeps a surface from shadowing itself", kAny,
+         {"none", "constant", "slope", "normal_offset"}, ""},
+        {"shadow", "constant_bias", number, "0.0005", "share of the map's range of depth", kNotNegative, {}, ""},
+        {"shadow", "slope_bias", number, "2.0", "slope, normal_offset: times the least that a flat surface needs",
+         kNotNegative, {}, ""},
+        {"shadow", "cull", word, "\"none\"", "which side of a triangle casts nothing", kAny,
+         {"none", "back", "front"}, ""},
+
         {"fog", "mode", word, "\"none\"", "how the surface fades with distance", kAny,
          {"none", "linear", "exp", "exp2"}, ""},
         {"fog", "color", vector, "[0.6, 0.65, 0.7]", "linear RGB", kNotNegative, {}, ""},
@@ -132,14 +148,17 @@ std::vector<KeyInfo> make_keys() {
         {"object", "rotate", vector, "[0, 0, 0]", "degrees about x, then y, then z", kAny, {}, "[0, 45, 0]"},
         {"object", "scale", number_or_vector, "[1, 1, 1]", "scaled first; not 0", kAny, {}, ""},
         {"object", "hide", texts, "[]", "parts (OBJ groups or objects) that are not drawn", kAny, {}, "[\"lid\"]"},
+        {"object", "casts_shadow", boolean, "true", "whether it throws shadows; it receives them anyway", kAny, {}, ""},
     };
 }
 
 std::vector<Planned> make_planned() {
     return {
-        {"shadow", "", ""},
+        {"shadow", "method", "planar"},
+        {"shadow", "method", "volume"},
+        {"shadow", "method", "irregular"},
+        {"shadow", "method", "exact"},
         {"environment", "", ""},
-        {"light", "shadow", "true"},
         {"image", "background", "environment"},
         {"material", "albedo_map", ""},
         {"material", "metallic_map", ""},

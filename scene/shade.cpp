@@ -1,5 +1,7 @@
 #include "scene/shade.hpp"
 
+#include "scene/shadow_pass.hpp"
+
 namespace kreda::scene {
 
 void shade_points(const Frame& frame, const raster::Fragments& points, std::uint32_t material,
@@ -7,8 +9,9 @@ void shade_points(const Frame& frame, const raster::Fragments& points, std::uint
     const lighting::MaterialSetup& surface = frame.plan.materials[material];
     start_lighting(points, surface, frame.lighting, channels);
     if (surface.material.model != lighting::ReflectionModel::unlit) {
-        for (const lighting::LightSetup& light : frame.lighting.lights) {
-            sample_light(points, light, channels);
+        for (std::size_t k = 0; k < frame.lighting.lights.size(); ++k) {
+            sample_light(points, frame.lighting.lights[k], channels);
+            if (find_shadow(frame, static_cast<int>(k), points, channels)) shadow_light(points.count, channels);
             add_reflection(points.count, surface, channels);
         }
     }

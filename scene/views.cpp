@@ -31,6 +31,10 @@ bool has_grain(const RenderPlan& plan, std::uint32_t material) {
     return lit_at_pixels(plan, material) && needs_grain(plan.materials[material].material);
 }
 
+bool in_shadows(const RenderPlan& plan, std::uint32_t material) {
+    return lit_at_pixels(plan, material) && !plan.shadows.empty();
+}
+
 bool is_microfacet(const RenderPlan& plan, std::uint32_t material) {
     return lit_at_pixels(plan, material) && plan.materials[material].material.model == ReflectionModel::cook_torrance;
 }
@@ -51,6 +55,8 @@ constexpr const char* kLitMicrofacet =
     "shading.frequency = \"phong\", a material with model = \"cook_torrance\" and a light";
 constexpr const char* kGrain =
     "shading.frequency = \"phong\" and a material with model = \"heidrich_seidel\", or \"ward\" and ward_alpha";
+constexpr const char* kShadows =
+    "shading.frequency = \"phong\", a material that is not unlit and a light whose shadow = true falls on something seen";
 constexpr const char* kFog = "fog.mode that is not \"none\"";
 
 /// G from V = G / (4 (n.l)(n.v)).
@@ -87,6 +93,12 @@ std::vector<View> make_views() {
          [](const Batch& b, int i, int c) { return b.lighting.l.at(i)[c]; }},
         {"light_irradiance", "s: what arrives of the last light that is on, on a plane facing it", kLights, 3, radiance,
          kNothing, lit_by_lights, [](const Batch& b, int i, int c) { return b.lighting.irradiance.at(i)[c]; }},
+        {"shadow", "1 lit .. 0 in shadow, of the last light that casts shadows", kShadows, 1, share, kNothing, in_shadows,
+         [](const Batch& b, int i, int) { return b.lighting.shadow.at(i); }},
+        {"blocker_distance", "how far before the point lies what keeps that light from it", kShadows, 1, range, kNothing,
+         in_shadows, [](const Batch& b, int i, int) { return b.lighting.blocker_distance.at(i); }},
+        {"penumbra", "width of the soft edge of that shadow (shadow.filter = \"pcss\")", kShadows, 1, range, kNothing,
+         in_shadows, [](const Batch& b, int i, int) { return b.lighting.penumbra.at(i); }},
         {"D", "microfacets that face the half vector, of the last light that is on [1/sr]", kLitMicrofacet, 1, range,
          kNothing, is_lit_microfacet, [](const Batch& b, int i, int) { return b.lighting.microfacet.D.at(i); }},
         {"V", "V = G / (4 (n.l)(n.v)) of the last light that is on", kLitMicrofacet, 1, range, kNothing,

@@ -42,8 +42,8 @@ LightView perspective_view(const glm::mat3& view_from_world, const glm::vec3& po
 
 glm::mat4 clip_from_world(const LightView& view) {
     const double x = view.half_size.x, y = view.half_size.y, n = view.near, f = view.far;
-    const glm::dmat4 clip_from_view = view.perspective ? glm::frustumRH_NO(-n * x, n * x, -n * y, n * y, n, f)
-                                                       : glm::orthoRH_NO(-x, x, -y, y, n, f);
+    const glm::dmat4 clip_from_view =
+        view.perspective ? glm::frustumRH_NO(-n * x, n * x, -n * y, n * y, n, f) : glm::orthoRH_NO(-x, x, -y, y, n, f);
     glm::dmat4 view_from_world(glm::dmat3(view.view_from_world));
     const glm::dvec3 moved = -(glm::dmat3(view.view_from_world) * glm::dvec3(view.origin));
     view_from_world[3] = glm::dvec4(moved, 1.0);

@@ -1,5 +1,5 @@
-// The light's own cameras: a directional light looks along parallel rays, a spot from its position, a point light in six
-// directions.
+// The light's own cameras: a directional light looks along parallel rays, a spot from its position, a point light in
+// six directions.
 #pragma once
 
 #include <array>
@@ -20,9 +20,9 @@ struct LightView {
     glm::mat3 view_from_world{1.0f};  ///< a rotation
     glm::vec3 origin{0.0f};           ///< world space: the light; directional: a point of its plane of distance 0
     bool perspective = false;
-    glm::vec2 half_size{1.0f};        ///< half the picture's width and height: world units, or tangents (perspective)
-    float near = 0.0f;                ///< distance at which casting begins; perspective: > 0
-    float far = 1.0f;                 ///< distance at which it ends
+    glm::vec2 half_size{1.0f};  ///< half the picture's width and height: world units, or tangents (perspective)
+    float near = 0.0f;          ///< distance at which casting begins; perspective: > 0
+    float far = 1.0f;           ///< distance at which it ends
 };
 
 /// clip_from_world for the rasterizer.
@@ -44,8 +44,8 @@ struct LightBounds {
 /// Can what lies in `casters` throw its shadow, along the rays, onto what lies in `seen`?
 [[nodiscard]] bool can_cast_onto(const LightBounds& casters, const LightBounds& seen);
 
-/// The picture of a directional light, no larger than it must be: what casts and what is seen, where they lie behind one
-/// another along the rays. `size` texels a side, of which `margin` stay free on each side for filters.
+/// The picture of a directional light, no larger than it must be: what casts and what is seen, where they lie behind
+/// one another along the rays. `size` texels a side, of which `margin` stay free on each side for filters.
 [[nodiscard]] LightView directional_view(const glm::vec3& direction, const LightBounds& casters,
                                          const LightBounds& seen, int size, int margin);
 

@@ -1,5 +1,8 @@
-// Where a point of a surface lies in a light's picture, and how much nearer to the light it must be taken to be: the bias.
+// Where a point of a surface lies in a light's picture, and how much nearer to the light it must be taken to be: the
+// bias.
 #pragma once
+
+#include <cmath>
 
 #include <glm/geometric.hpp>
 #include <glm/mat3x3.hpp>
@@ -36,6 +39,13 @@ inline float least_normal_offset(const glm::vec3& n_view, const glm::vec2& texel
     return 0.5f * (texel.x * x + texel.y * y);
 }
 
+/// v / |v|, or zero where there is no length to speak of: a triangle without area has no normal.
+inline glm::vec3 unit_or_zero(const glm::vec3& v) {
+    const float length2 = glm::dot(v, v);
+    const float inverse = 1.0f / std::sqrt(length2 > 1e-36f ? length2 : 1e-36f);
+    return v * inverse;
+}
+
 /// Beyond this angle a surface is taken to be no steeper: the slope is the tangent, and it has no bound.
 inline constexpr float kLeastCosine = 0.01f;
 
@@ -52,8 +62,8 @@ inline DepthSlope slope_parallel(const glm::vec3& n_view, const glm::vec2& texel
     return {n_view.x * inverse * texel.x, -n_view.y * inverse * texel.y};
 }
 
-/// A light with a position: on the plane 1/distance = (n_x X + n_y Y - n_z) / c is affine in the tangents X = x/distance
-/// and Y = y/distance; its derivative gives the distance's.   q: the point in view space; texel: in tangents
+/// A light with a position: on the plane 1/distance = (n_x X + n_y Y - n_z) / c is affine in the tangents X =
+/// x/distance and Y = y/distance; its derivative gives the distance's.   q: the point in view space; texel: in tangents
 inline DepthSlope slope_perspective(const glm::vec3& n_view, const glm::vec3& q, float distance,
                                     const glm::vec2& texel) {
     const float cosine = -glm::dot(n_view, q) / distance;  // of the angle with the ray, times its length for distance 1
@@ -73,10 +83,14 @@ struct BiasTerms {
 [[nodiscard]] inline BiasTerms bias_terms(const ShadowSettings& settings, float depth_range) {
     const float constant = settings.constant_bias * depth_range;
     switch (settings.bias) {
-        case ShadowBias::none: return {};
-        case ShadowBias::constant: return {constant, 0.0f, 0.0f, 0.0f};
-        case ShadowBias::slope: return {constant, settings.slope_bias, 0.0f, 1.0f};
-        case ShadowBias::normal_offset: return {constant, 0.0f, settings.slope_bias, 1.0f};
+        case ShadowBias::none:
+            return {};
+        case ShadowBias::constant:
+            return {constant, 0.0f, 0.0f, 0.0f};
+        case ShadowBias::slope:
+            return {constant, settings.slope_bias, 0.0f, 1.0f};
+        case ShadowBias::normal_offset:
+            return {constant, 0.0f, settings.slope_bias, 1.0f};
     }
     return {};
 }
@@ -90,9 +104,9 @@ struct MapPoint {
 
 /// One picture, as the loop over a batch needs it.
 struct PictureScale {
-    glm::vec2 texel{1.0f};           ///< its width and height: world units, or tangents
+    glm::vec2 texel{1.0f};  ///< its width and height: world units, or tangents
     glm::vec2 texels_per_unit{1.0f};
-    float half_side = 0.5f;          ///< half the number of texels a side
+    float half_side = 0.5f;  ///< half the number of texels a side
 };
 
 [[nodiscard]] inline PictureScale picture_scale(const LightView& view, int size) {
@@ -114,7 +128,8 @@ inline MapPoint map_point_parallel(const glm::vec3& q, const glm::vec3& n_view, 
     return point;
 }
 
-/// The same for a light at the origin of the axes. A point at or behind it comes out somewhere, at distance 0 or less: lit.
+/// The same for a light at the origin of the axes. A point at or behind it comes out somewhere, at distance 0 or less:
+/// lit.
 inline MapPoint map_point_perspective(const glm::vec3& q, const glm::vec3& n_view, const PictureScale& scale,
                                       const BiasTerms& bias) {
     constexpr float kTiny = 1e-20f;

@@ -55,8 +55,8 @@ struct ShadowSettings {
 ///     void shadow_factors(const ShadowMap& map, const raster::Channel3& position, const raster::Channel3& n,
 ///                         int count, raster::Channel& shadow);
 ///
-/// Position in world space, n the unit normal, shadow 1 lit .. 0 in shadow. It reads and writes lanes_for(count) entries.
-/// Such a method serves pixels, vertices and centroids alike.
+/// Position in world space, n the unit normal, shadow 1 lit .. 0 in shadow. It reads and writes lanes_for(count)
+/// entries. Such a method serves pixels, vertices and centroids alike.
 ///
 /// Frame by frame (planar, volume, irregular): a function of all visible samples at once, before anything is shaded:
 ///

@@ -1,10 +1,8 @@
 // Looking up a shadow map: where the points of a batch lie in it, then one of three filters.
-#include <algorithm>
-
 #include "raster/platform.hpp"
 #include "raster/scalar_math.hpp"
-#include "shadows/map_point.hpp"
-#include "shadows/shadow_map.hpp"
+#include "shadows/map_points.hpp"
+#include "shadows/soft_filter.hpp"
 
 namespace kreda::shadows {
 
@@ -14,21 +12,6 @@ using raster::Channel;
 using raster::Channel3;
 using raster::lanes_for;
 
-/// The points of a batch in the light's picture: MapPoint by MapPoint, and where the face of each begins.
-struct MapPoints {
-    Channel u, v, distance, slope_u, slope_v;
-    alignas(64) int face_begin[raster::kChannelSize];
-
-    void set(int i, const MapPoint& point, int begin) {
-        u.set(i, point.u);
-        v.set(i, point.v);
-        distance.set(i, point.distance);
-        slope_u.set(i, point.slope.u);
-        slope_v.set(i, point.slope.v);
-        face_begin[i] = begin;
-    }
-};
-
 KREDA_BATCH_LOOP void locate_parallel(const Channel3& position, const Channel3& normal, int lanes,
                                       const LightView& light_view, int size, const BiasTerms& terms, MapPoints& out) {
     const glm::mat3 axes = light_view.view_from_world;
@@ -37,7 +20,7 @@ KREDA_BATCH_LOOP void locate_parallel(const Channel3& position, const Channel3& 
     const BiasTerms bias = terms;
     for (int i = 0; i < lanes; ++i) {
         const glm::vec3 q = axes * (position.at(i) - origin);
-        const glm::vec3 n = axes * normal.at(i);
+        const glm::vec3 n = axes * unit_or_zero(normal.at(i));
         out.set(i, map_point_parallel(q, n, scale, bias), 0);
     }
 }
@@ -51,7 +34,7 @@ KREDA_BATCH_LOOP void locate_perspective(const Channel3& position, const Channel
     const BiasTerms bias = terms;
     for (int i = 0; i < lanes; ++i) {
         const glm::vec3 q = axes * (position.at(i) - origin);
-        const glm::vec3 n = axes * normal.at(i);
+        const glm::vec3 n = axes * unit_or_zero(normal.at(i));
         out.set(i, map_point_perspective(q, n, scale, bias), 0);
     }
 }
@@ -67,28 +50,9 @@ KREDA_BATCH_LOOP void locate_in_cube(const Channel3& position, const Channel3& n
         const glm::vec3 from_light = position.at(i) - origin;
         const CubeFace face = cube_face(from_light);
         const glm::vec3 q = in_face_axes(face, from_light);
-        const glm::vec3 n = in_face_axes(face, normal.at(i));
+        const glm::vec3 n = in_face_axes(face, unit_or_zero(normal.at(i)));
         out.set(i, map_point_perspective(q, n, scale, bias), face.face * face_stride);
     }
-}
-
-void locate(const ShadowMap& map, const Channel3& position, const Channel3& n, int lanes, MapPoints& points) {
-    const LightView& view = map.plan.views.front();
-    const BiasTerms bias = bias_terms(map.plan.settings, view.far - view.near);
-    if (!view.perspective) return locate_parallel(position, n, lanes, view, map.size(), bias, points);
-    if (map.plan.views.size() == 1) return locate_perspective(position, n, lanes, view, map.size(), bias, points);
-    locate_in_cube(position, n, lanes, view, map.size(), map.face_stride(), bias, points);
-}
-
-/// Where a texel stands in its face, ring included: what lies beyond the ring (or is NaN) counts as on it.
-inline int place_of_texel(float u, float v, float size, int stride) {
-    const float x = u + 1.0f;
-    const float y = v + 1.0f;
-    const float x_positive = x > 0.0f ? x : 0.0f;
-    const float y_positive = y > 0.0f ? y : 0.0f;
-    const int column = static_cast<int>(x_positive < size + 1.0f ? x_positive : size + 1.0f);
-    const int row = static_cast<int>(y_positive < size + 1.0f ? y_positive : size + 1.0f);
-    return row * stride + column;
 }
 
 KREDA_BATCH_LOOP void fill(int lanes, float value, Channel& channel) {
@@ -102,7 +66,8 @@ KREDA_BATCH_LOOP void add_tap(const MapPoints& points, int lanes, const float* d
     const float size = static_cast<float>(texels);
     const int stride = texels + 2;
     for (int i = 0; i < lanes; ++i) {
-        const int texel = points.face_begin[i] + place_of_texel(points.u.at(i) + d_u, points.v.at(i) + d_v, size, stride);
+        const int texel =
+            points.face_begin[i] + place_of_texel(points.u.at(i) + d_u, points.v.at(i) + d_v, size, stride);
         const float distance = points.distance.at(i) + points.slope_u.at(i) * d_u + points.slope_v.at(i) * d_v;
         lit.set(i, lit.at(i) + (distance <= distances[texel] ? 1.0f : 0.0f));
     }
@@ -126,15 +91,58 @@ void filter_box(const ShadowMap& map, const MapPoints& points, int lanes, int ra
     scale(lanes, 1.0f / (side * side), shadow);
 }
 
+/// What the texel under each point says: how far before it the light is stopped.
+KREDA_BATCH_LOOP void nearest_blocker(const MapPoints& points, int lanes, const float* distances, int texels,
+                                      Channel& blocker_distance) {
+    const float size = static_cast<float>(texels);
+    const int stride = texels + 2;
+    for (int i = 0; i < lanes; ++i) {
+        const int texel = points.face_begin[i] + place_of_texel(points.u.at(i), points.v.at(i), size, stride);
+        const float before = points.distance.at(i) - distances[texel];
+        blocker_distance.set(i, before > 0.0f ? before : 0.0f);
+    }
+}
+
 }  // namespace
 
-void shadow_factors(const ShadowMap& map, const raster::Channel3& position, const raster::Channel3& n, int count,
+void locate(const ShadowMap& map, const Channel3& position, const Channel3& n, int lanes, MapPoints& points) {
+    const LightView& view = map.plan.views.front();
+    const BiasTerms bias = bias_terms(map.plan.settings, view.far - view.near);
+    if (!view.perspective) return locate_parallel(position, n, lanes, view, map.size(), bias, points);
+    if (map.plan.views.size() == 1) return locate_perspective(position, n, lanes, view, map.size(), bias, points);
+    locate_in_cube(position, n, lanes, view, map.size(), map.face_stride(), bias, points);
+}
+
+void shadow_factors(const ShadowMap& map, const raster::Channel3& position, const raster::Channel3& normal, int count,
                     raster::Channel& shadow) {
     const int lanes = lanes_for(count);
     MapPoints points;
-    locate(map, position, n, lanes, points);
-    const ShadowSettings& settings = map.plan.settings;
-    filter_box(map, points, lanes, settings.filter == ShadowFilter::pcf ? settings.radius : 0, shadow);
+    locate(map, position, normal, lanes, points);
+    switch (map.plan.settings.filter) {
+        case ShadowFilter::none:
+            return filter_box(map, points, lanes, 0, shadow);
+        case ShadowFilter::pcf:
+            return filter_box(map, points, lanes, map.plan.settings.radius, shadow);
+        case ShadowFilter::pcss: {
+            SoftShadow soft;
+            find_blockers(map, points, lanes, soft);
+            return filter_penumbra(map, points, lanes, soft, shadow);
+        }
+    }
+}
+
+void shadow_blockers(const ShadowMap& map, const raster::Channel3& position, const raster::Channel3& normal, int count,
+                     raster::Channel& blocker_distance, raster::Channel& penumbra) {
+    const int lanes = lanes_for(count);
+    MapPoints points;
+    locate(map, position, normal, lanes, points);
+    if (map.plan.settings.filter != ShadowFilter::pcss) {
+        nearest_blocker(points, lanes, map.distance.data(), map.size(), blocker_distance);
+        return fill(lanes, 0.0f, penumbra);
+    }
+    SoftShadow soft;
+    find_blockers(map, points, lanes, soft);
+    penumbra_widths(map, points, lanes, soft, blocker_distance, penumbra);
 }
 
 }  // namespace kreda::shadows

@@ -13,9 +13,12 @@ using raster::kTileSide;
 
 raster::CullMode cull_mode(CasterCull cull) {
     switch (cull) {
-        case CasterCull::none: return raster::CullMode::none;
-        case CasterCull::back: return raster::CullMode::back;
-        case CasterCull::front: return raster::CullMode::front;
+        case CasterCull::none:
+            return raster::CullMode::none;
+        case CasterCull::back:
+            return raster::CullMode::back;
+        case CasterCull::front:
+            return raster::CullMode::front;
     }
     return raster::CullMode::none;
 }
@@ -23,14 +26,18 @@ raster::CullMode cull_mode(CasterCull cull) {
 /// Window depth back to distance. A perspective depth is z = a - b / distance with a = f / (f - n) and b = n a; that of
 /// parallel rays goes evenly from near to far.
 struct DistanceFromDepth {
-    float a = 0.0f, b = 0.0f;       ///< perspective
+    float a = 0.0f, b = 0.0f;         ///< perspective
     float near = 0.0f, range = 1.0f;  ///< parallel
 
     explicit DistanceFromDepth(const LightView& view)
         : a(view.far / (view.far - view.near)), b(view.near * a), near(view.near), range(view.far - view.near) {}
 
-    [[nodiscard]] float perspective(float z) const { return b / (a - z); }
-    [[nodiscard]] float parallel(float z) const { return near + range * z; }
+    [[nodiscard]] float perspective(float z) const {
+        return b / (a - z);
+    }
+    [[nodiscard]] float parallel(float z) const {
+        return near + range * z;
+    }
 };
 
 /// One row of a tile: depth -> distance; where nothing was drawn, nothing casts.
@@ -99,9 +106,12 @@ void fill_ring(int size, int stride, bool repeat_edge, float* face) {
 
 int filter_margin(const ShadowSettings& settings) {
     switch (settings.filter) {
-        case ShadowFilter::none: return 1;
-        case ShadowFilter::pcf: return settings.radius + 1;
-        case ShadowFilter::pcss: return settings.size / 16 + 1;
+        case ShadowFilter::none:
+            return 1;
+        case ShadowFilter::pcf:
+            return settings.radius + 1;
+        case ShadowFilter::pcss:
+            return settings.size / 16 + 1;
     }
     return 1;
 }

@@ -26,16 +26,22 @@ struct ShadowMapPlan {
 /// Texels that a filter reads beyond the one that a point falls into; pcss: as far as a margin is kept for it.
 [[nodiscard]] int filter_margin(const ShadowSettings& settings);
 
-/// What a light sees. A face holds (size + 2)^2 distances, row 0 on top: a ring of one texel lies around the picture, so
-/// that a filter may step over its edge. In the ring nothing casts; the faces of a cube repeat their own edge there.
+/// What a light sees. A face holds (size + 2)^2 distances, row 0 on top: a ring of one texel lies around the picture,
+/// so that a filter may step over its edge. In the ring nothing casts; the faces of a cube repeat their own edge there.
 struct ShadowMap {
     ShadowMapPlan plan;
     std::vector<float> distance;  ///< along the view's axis, world units; kNoCaster where nothing casts
     float nearest = kNoCaster;    ///< the least of them
 
-    [[nodiscard]] int size() const { return plan.settings.size; }
-    [[nodiscard]] int stride() const { return size() + 2; }
-    [[nodiscard]] int face_stride() const { return stride() * stride(); }
+    [[nodiscard]] int size() const {
+        return plan.settings.size;
+    }
+    [[nodiscard]] int stride() const {
+        return size() + 2;
+    }
+    [[nodiscard]] int face_stride() const {
+        return stride() * stride();
+    }
     [[nodiscard]] float at(int face, int column, int row) const {
         return distance[static_cast<std::size_t>(face) * face_stride() + (row + 1) * stride() + column + 1];
     }
@@ -51,17 +57,18 @@ struct ShadowMapBuffers {
 void draw_shadow_map(std::vector<raster::MeshInstance>& casters, const ShadowMapPlan& plan, ShadowMapBuffers& buffers,
                      ShadowMap& map);
 
-/// The map as a picture of one channel: 0 nearest .. 1 farthest, 1 where nothing casts. The six faces of a point light lie
-/// in a row, +x -x +y -y +z -z.
+/// The map as a picture of one channel: 0 nearest .. 1 farthest, 1 where nothing casts. The six faces of a point light
+/// lie in a row, +x -x +y -y +z -z.
 [[nodiscard]] raster::Image shadow_map_picture(const ShadowMap& map);
 
 /// shadow = share of the light that reaches each point: 1 lit .. 0 in shadow. Shape: see shadow.hpp.
-void shadow_factors(const ShadowMap& map, const raster::Channel3& position, const raster::Channel3& n, int count,
+/// `normal`: perpendicular to the surface, on either side, any length; the bias needs it.
+void shadow_factors(const ShadowMap& map, const raster::Channel3& position, const raster::Channel3& normal, int count,
                     raster::Channel& shadow);
 
 /// What the filter found on the way, for pictures: how far before the point its blockers lie, on average, and how wide
 /// that makes the penumbra (pcss; else 0). Both in world units, 0 where nothing blocks.
-void shadow_blockers(const ShadowMap& map, const raster::Channel3& position, const raster::Channel3& n, int count,
+void shadow_blockers(const ShadowMap& map, const raster::Channel3& position, const raster::Channel3& normal, int count,
                      raster::Channel& blocker_distance, raster::Channel& penumbra);
 
 }  // namespace kreda::shadows

@@ -1,4 +1,5 @@
-// The bias laws of shadow maps: closed forms for a flat receiver, met by the whole way from the rasterizer to the lookup.
+// The bias laws of shadow maps: closed forms for a flat receiver, met by the whole way from the rasterizer to the
+// lookup.
 #include <cmath>
 #include <memory>
 #include <random>
@@ -98,8 +99,8 @@ TEST_CASE("bias: without any half of a tilted plane shadows itself") {
 }
 
 TEST_CASE("bias: a share k of the least bias leaves the share of a triangle's or a pyramid's tip in shadow") {
-    // Depth errors are uniform in one direction: (1 - k) / 2 are left. In two equal ones they are the sum of two uniform
-    // numbers: (1 - k)^2 / 2.
+    // Depth errors are uniform in one direction: (1 - k) / 2 are left. In two equal ones they are the sum of two
+    // uniform numbers: (1 - k)^2 / 2.
     for (const float k : {0.25f, 0.5f, 0.75f}) {
         CAPTURE(k);
         const raster::Mesh one = square(kAlongOneAxis);

@@ -98,6 +98,17 @@ std::vector<NamedScene> make_scenes() {
         s.camera.projection = i == 5 ? raster::Projection::orthographic : raster::Projection::perspective;
         scenes.push_back({"fog " + std::to_string(i), s});
     }
+    for (int i = 0; i < 9; ++i) {  // all lights cast: one picture, six pictures, one
+        scene::Scene s = base_scene(ReflectionModel::blinn_phong);
+        for (lighting::Light& light : s.lights) light.shadow = true;
+        s.shadow.size = 200;
+        s.shadow.filter = static_cast<shadows::ShadowFilter>(i % 3);
+        s.shadow.bias = static_cast<shadows::ShadowBias>(i % 4);
+        s.shadow.radius = 1 + i % 2;
+        s.shadow.cull = static_cast<shadows::CasterCull>(i / 3);
+        s.shading.frequency = static_cast<scene::ShadingFrequency>(i < 6 ? 2 : i % 3);
+        scenes.push_back({"shadow map " + std::to_string(i), s});
+    }
     return scenes;
 }
 

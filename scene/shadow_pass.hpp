@@ -1,0 +1,27 @@
+// Shadows while a frame is drawn: first what each light sees, then for each batch of points what is in shadow.
+#pragma once
+
+#include <memory>
+
+#include "lighting/channels.hpp"
+#include "raster/fragments.hpp"
+#include "scene/frame.hpp"
+#include "shadows/shadow_map.hpp"
+
+namespace kreda::scene {
+
+/// The memory of one light's shadows; kept from frame to frame.
+struct ShadowMemory {
+    shadows::ShadowMapBuffers drawing;
+    shadows::ShadowMap map;
+};
+
+/// Before anything is shaded: draw the map of every light that the plan gives one.
+void prepare_shadows(const Frame& frame);
+
+/// channels.shadow at every point for the light of that number, counted among those that are on. False (and nothing is
+/// written) if it casts none.
+bool find_shadow(const Frame& frame, int light_that_is_on, const raster::Fragments& points,
+                 lighting::LightingChannels& channels);
+
+}  // namespace kreda::scene

@@ -1,0 +1,40 @@
+// The points of a batch in a light's picture, as the filters want them.
+#pragma once
+
+#include "raster/fragments.hpp"
+#include "shadows/map_point.hpp"
+#include "shadows/shadow_map.hpp"
+
+namespace kreda::shadows {
+
+/// MapPoint by MapPoint, and where the face of each begins in the map.
+struct MapPoints {
+    raster::Channel u, v, distance, slope_u, slope_v;
+    alignas(64) int face_begin[raster::kChannelSize];
+
+    void set(int i, const MapPoint& point, int begin) {
+        u.set(i, point.u);
+        v.set(i, point.v);
+        distance.set(i, point.distance);
+        slope_u.set(i, point.slope.u);
+        slope_v.set(i, point.slope.v);
+        face_begin[i] = begin;
+    }
+};
+
+/// Find the points of a batch in the map: pick the face, project, take off the bias.
+void locate(const ShadowMap& map, const raster::Channel3& position, const raster::Channel3& normal, int lanes,
+            MapPoints& points);
+
+/// Where a texel stands in its face, ring included: what lies beyond the ring (or is NaN) counts as on it.
+inline int place_of_texel(float u, float v, float size, int stride) {
+    const float x = u + 1.0f;
+    const float y = v + 1.0f;
+    const float x_positive = x > 0.0f ? x : 0.0f;
+    const float y_positive = y > 0.0f ? y : 0.0f;
+    const int column = static_cast<int>(x_positive < size + 1.0f ? x_positive : size + 1.0f);
+    const int row = static_cast<int>(y_positive < size + 1.0f ? y_positive : size + 1.0f);
+    return row * stride + column;
+}
+
+}  // namespace kreda::shadows
