@@ -19,6 +19,9 @@ struct MicrofacetChannels {
 
 /// Every quantity of the lecture's equation at every point of a batch.
 struct LightingChannels {
+    raster::Channel level;        ///< level of detail at which the maps are read (trilinear)
+    raster::Channel3 m_D;         ///< diffuse reflectance, where a map gives it
+    raster::Channel3 map_normal;  ///< what the normal map says: t, b, n components, not unit
     raster::Channel3 n;           ///< unit normal
     raster::Channel3 v;           ///< unit, to the viewer
     raster::Channel3 t;           ///< unit, in the surface: the way scratches or threads run (ward, heidrich_seidel)

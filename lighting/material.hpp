@@ -1,11 +1,14 @@
 // Materials as plain data: which reflection model, and its constants.
 #pragma once
 
+#include <memory>
 #include <optional>
 #include <string>
 
 #include <glm/vec2.hpp>
 #include <glm/vec3.hpp>
+
+#include "raster/texture.hpp"
 
 namespace kreda::lighting {
 
@@ -27,7 +30,8 @@ enum class FresnelMethod {
 /// Where the indices of a measured material come from: all wavelengths, or one for each colour channel.
 enum class SpectrumUse { full, three };
 enum class EnergyCompensation { none, kulla_conty };
-enum class TextureFilter { nearest, bilinear, trilinear };
+using raster::TextureFilter;
+using raster::TextureWrap;
 enum class NormalMapY { up, down };
 
 /// Constants of the local models (Strachota 2020, section 3): all but cook_torrance.
@@ -62,11 +66,18 @@ struct CookTorranceMaterial {
     std::optional<glm::vec3> f82;         ///< fresnel = f82: F at cos theta = 1/7; else from n and k
 };
 
-/// Files that replace a constant of the same name. Empty: the constant holds.
+/// A picture that says what a quantity is at every point of a surface.
+struct Map {
+    std::string file;  ///< where it comes from; empty: nowhere, or made by a program
+    std::shared_ptr<const raster::Texture> texture;  ///< linear texels; null: not loaded. Maps of one file share it
+};
+
+/// Maps replace the constant of the same name; normal bends the interpolated normal.
 struct MaterialMaps {
-    std::string albedo, diffuse, metallic, roughness, ao, normal;
-    NormalMapY normal_y = NormalMapY::up;
+    Map albedo, diffuse, metallic, roughness, ao, normal;
+    NormalMapY normal_y = NormalMapY::up;  ///< where green points: up (OpenGL) or down (DirectX)
     TextureFilter filter = TextureFilter::trilinear;
+    TextureWrap wrap = TextureWrap::repeat;
 };
 
 struct Material {

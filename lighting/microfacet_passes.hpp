@@ -7,7 +7,7 @@
 
 namespace kreda::lighting {
 
-/// The material's constants at every point (maps overwrite what they give, see surface_maps).
+/// The material's constants at every point (read_maps overwrites what maps give).
 void fill_surface(int count, const CookTorranceSetup& setup, MicrofacetChannels& channels);
 
 /// Add what the light in channels.l, channels.irradiance reflects to channels.diffuse and channels.specular.

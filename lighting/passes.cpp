@@ -1,6 +1,7 @@
 #include "lighting/passes.hpp"
 
 #include "lighting/microfacet_passes.hpp"
+#include "lighting/model_loop.hpp"
 #include "lighting/reflection.hpp"
 #include "lighting/ward_passes.hpp"
 #include "raster/platform.hpp"
@@ -38,6 +39,12 @@ KREDA_BATCH_LOOP void start_terms(int lanes, const glm::vec3& ambient_and_emissi
     }
 }
 
+/// Unlit: what the map shows, and m_E.
+KREDA_BATCH_LOOP void shine_by_map(int lanes, const glm::vec3& emission, LightingChannels& c) {
+    const glm::vec3 m_E = emission;
+    for (int i = 0; i < lanes; ++i) c.ambient.set(i, c.m_D.at(i) + m_E);
+}
+
 KREDA_BATCH_LOOP void sample_directional_light(int lanes, const LightSetup& setup, LightingChannels& c) {
     const LightSetup light = setup;
     for (int i = 0; i < lanes; ++i) {
@@ -65,19 +72,22 @@ KREDA_BATCH_LOOP void sample_spot_light(const Fragments& f, int lanes, const Lig
     }
 }
 
-KREDA_BATCH_LOOP void add_lambert(int lanes, const PhongMaterial& material, LightingChannels& c) {
-    const PhongMaterial m = material;
-    for (int i = 0; i < lanes; ++i) add_terms(c, i, lambert(c.n.at(i), c.l.at(i), m));
+KREDA_BATCH_LOOP void add_lambert(int lanes, const PhongMaterial& material, bool map, LightingChannels& c) {
+    add_model(lanes, material, map, c, [&c](int i, const PhongMaterial& m) {
+        return lambert(c.n.at(i), c.l.at(i), m);
+    });
 }
 
-KREDA_BATCH_LOOP void add_phong(int lanes, const PhongMaterial& material, LightingChannels& c) {
-    const PhongMaterial m = material;
-    for (int i = 0; i < lanes; ++i) add_terms(c, i, phong(c.n.at(i), c.l.at(i), c.v.at(i), m));
+KREDA_BATCH_LOOP void add_phong(int lanes, const PhongMaterial& material, bool map, LightingChannels& c) {
+    add_model(lanes, material, map, c, [&c](int i, const PhongMaterial& m) {
+        return phong(c.n.at(i), c.l.at(i), c.v.at(i), m);
+    });
 }
 
-KREDA_BATCH_LOOP void add_blinn_phong(int lanes, const PhongMaterial& material, LightingChannels& c) {
-    const PhongMaterial m = material;
-    for (int i = 0; i < lanes; ++i) add_terms(c, i, blinn_phong(c.n.at(i), c.l.at(i), c.v.at(i), m));
+KREDA_BATCH_LOOP void add_blinn_phong(int lanes, const PhongMaterial& material, bool map, LightingChannels& c) {
+    add_model(lanes, material, map, c, [&c](int i, const PhongMaterial& m) {
+        return blinn_phong(c.n.at(i), c.l.at(i), c.v.at(i), m);
+    });
 }
 
 KREDA_BATCH_LOOP void shadow_irradiance(int lanes, LightingChannels& c) {
@@ -139,6 +149,8 @@ MaterialSetup prepare(const Material& material) {
     MaterialSetup setup;
     setup.material = material;
     if (material.model == ReflectionModel::cook_torrance) setup.cook_torrance = prepare(material.cook_torrance);
+    setup.maps = maps_in_use(material);
+    setup.map_needs = needs_of(setup.maps);
     return setup;
 }
 
@@ -147,13 +159,18 @@ void start_lighting(const Fragments& fragments, const MaterialSetup& material, c
     const int lanes = lanes_for(fragments.count);
     const ReflectionModel model = material.material.model;
     start_terms(lanes, unlit_radiance(material.material, setup.ambient), channels);
-    if (model == ReflectionModel::unlit) return;
-    surface_directions(fragments, lanes, setup, channels);
-    if (setup.orthographic) same_view_everywhere(lanes, -setup.forward, channels);
-    if (needs_grain(material.material)) find_grain(fragments.count, material.material.phong, channels);
     if (model == ReflectionModel::cook_torrance) {
         fill_surface(fragments.count, material.cook_torrance, channels.microfacet);
     }
+    if (material.map_needs.uv) read_maps(fragments, material.maps, material.cook_torrance, channels);
+    if (model == ReflectionModel::unlit) {
+        if (material.maps.diffuse.texture) shine_by_map(lanes, material.material.phong.emission, channels);
+        return;
+    }
+    surface_directions(fragments, lanes, setup, channels);
+    if (setup.orthographic) same_view_everywhere(lanes, -setup.forward, channels);
+    if (material.map_needs.tangent) bend_normals(fragments, material.maps, channels);
+    if (needs_grain(material.material)) find_grain(fragments.count, material.material.phong, channels);
 }
 
 void sample_light(const Fragments& fragments, const LightSetup& light, LightingChannels& channels) {
@@ -172,13 +189,14 @@ void shadow_light(int count, LightingChannels& channels) {
 void add_reflection(int count, const MaterialSetup& setup, LightingChannels& c) {
     const int lanes = lanes_for(count);
     const PhongMaterial& m = setup.material.phong;
+    const bool map = setup.maps.diffuse.texture != nullptr;
     switch (setup.material.model) {
         case ReflectionModel::unlit: return;
-        case ReflectionModel::lambert: return add_lambert(lanes, m, c);
-        case ReflectionModel::phong: return add_phong(lanes, m, c);
-        case ReflectionModel::blinn_phong: return add_blinn_phong(lanes, m, c);
-        case ReflectionModel::ward: return add_ward(count, m, c);
-        case ReflectionModel::heidrich_seidel: return add_heidrich_seidel(count, m, c);
+        case ReflectionModel::lambert: return add_lambert(lanes, m, map, c);
+        case ReflectionModel::phong: return add_phong(lanes, m, map, c);
+        case ReflectionModel::blinn_phong: return add_blinn_phong(lanes, m, map, c);
+        case ReflectionModel::ward: return add_ward(count, m, map, c);
+        case ReflectionModel::heidrich_seidel: return add_heidrich_seidel(count, m, map, c);
         case ReflectionModel::cook_torrance: return add_cook_torrance(count, setup.cook_torrance, c);
     }
 }

@@ -9,6 +9,7 @@
 #include "lighting/cook_torrance.hpp"
 #include "lighting/fog.hpp"
 #include "lighting/light.hpp"
+#include "lighting/maps.hpp"
 #include "lighting/material.hpp"
 #include "raster/fragments.hpp"
 
@@ -18,6 +19,8 @@ namespace kreda::lighting {
 struct MaterialSetup {
     Material material;
     CookTorranceSetup cook_torrance;  ///< only for model = cook_torrance
+    MaterialMaps maps;                ///< those that its model reads
+    MapNeeds map_needs;
 };
 
 [[nodiscard]] MaterialSetup prepare(const Material& material);
@@ -36,7 +39,7 @@ struct LightingSetup {
 // for each light sample_light, shadow_light where it casts a shadow, add_reflection; sum_terms. scene/shade.cpp runs them.
 
 /// What the lights will need: n, v, the material at every point; ambient = s_A m_A + m_E; nothing reflected yet.
-/// Reads fragments.position and fragments.normal.
+/// Reads fragments.position, fragments.normal, and what material.map_needs says.
 void start_lighting(const raster::Fragments& fragments, const MaterialSetup& material, const LightingSetup& setup,
                     LightingChannels& channels);
 
