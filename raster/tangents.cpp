@@ -53,6 +53,7 @@ glm::dvec3 in_plane(const glm::dvec3& v, const glm::dvec3& n) {
 struct Sums {
     std::array<glm::dvec3, 2> direction{glm::dvec3(0.0), glm::dvec3(0.0)};  ///< side +1, side -1
     std::array<bool, 2> used{false, false};
+    bool in_use = false;  ///< by some triangle, even one that says nothing
 };
 
 void add_triangle(const Mesh& mesh, const std::uint32_t* corner, const TriangleTangent& tangent,
@@ -80,12 +81,36 @@ std::uint32_t copy_vertex(Mesh& mesh, std::uint32_t vertex) {
     return static_cast<std::uint32_t>(mesh.positions.size() - 1);
 }
 
-glm::vec4 vertex_tangent(const glm::dvec3& sum, const glm::vec3& normal, float side, TangentReport& report) {
+/// side: 0 for unmirrored triangles, 1 for mirrored ones.
+glm::vec4 vertex_tangent(const Sums& sums, std::size_t side, const glm::vec3& normal, TangentReport& report) {
     const glm::dvec3 n(normal);
-    const glm::dvec3 t = direction_of(in_plane(sum, n));
-    if (t != glm::dvec3(0.0)) return {glm::vec3(t), side};
-    ++report.without_direction;
+    const glm::dvec3 t = direction_of(in_plane(sums.direction[side], n));
+    if (t != glm::dvec3(0.0)) return {glm::vec3(t), side == 0 ? 1.0f : -1.0f};
+    report.without_direction += sums.in_use;
     return {glm::vec3(any_perpendicular(n)), 1.0f};
+}
+
+/// Vertices in the order of their first use, those that nobody uses at the end: no part's vertices lie among those of
+/// another part that way, although copies were appended.
+void sort_by_first_use(Mesh& mesh) {
+    constexpr std::uint32_t kNone = 0xffffffffu;
+    std::vector<std::uint32_t> new_of(mesh.positions.size(), kNone);
+    std::vector<std::uint32_t> old_of;
+    const auto take = [&](std::uint32_t vertex) {
+        if (new_of[vertex] != kNone) return;
+        new_of[vertex] = static_cast<std::uint32_t>(old_of.size());
+        old_of.push_back(vertex);
+    };
+    for (const std::uint32_t vertex : mesh.indices) take(vertex);
+    for (std::uint32_t vertex = 0; vertex < mesh.positions.size(); ++vertex) take(vertex);
+    const Mesh source = mesh;
+    for (std::size_t i = 0; i < old_of.size(); ++i) {
+        mesh.positions[i] = source.positions[old_of[i]];
+        mesh.normals[i] = source.normals[old_of[i]];
+        mesh.uvs[i] = source.uvs[old_of[i]];
+        mesh.tangents[i] = source.tangents[old_of[i]];
+    }
+    for (std::uint32_t& index : mesh.indices) index = new_of[index];
 }
 
 }  // namespace
@@ -108,6 +133,7 @@ TangentReport make_tangents(Mesh& mesh) {
     std::vector<Sums> sums(vertices);
     for (std::size_t t = 0; t < triangles; ++t) {
         of_triangle[t] = tangent_of(mesh, &mesh.indices[3 * t]);
+        for (int i = 0; i < 3; ++i) sums[mesh.indices[3 * t + i]].in_use = true;
         if (of_triangle[t].side == 0) ++report.degenerate_triangles;
         if (of_triangle[t].side != 0) add_triangle(mesh, &mesh.indices[3 * t], of_triangle[t], sums);
     }
@@ -117,17 +143,18 @@ TangentReport make_tangents(Mesh& mesh) {
         const Sums& sum = sums[v];
         const bool split = sum.used[0] && sum.used[1];
         const std::size_t side = sum.used[1] && !split ? 1 : 0;
-        mesh.tangents[v] = vertex_tangent(sum.direction[side], mesh.normals[v], side == 0 ? 1.0f : -1.0f, report);
+        mesh.tangents[v] = vertex_tangent(sum, side, mesh.normals[v], report);
         mirrored[v] = split ? copy_vertex(mesh, v) : v;
         if (!split) continue;
         ++report.split_vertices;
         mesh.tangents.resize(mesh.positions.size());
-        mesh.tangents.back() = vertex_tangent(sum.direction[1], mesh.normals[v], -1.0f, report);
+        mesh.tangents.back() = vertex_tangent(sum, 1, mesh.normals[v], report);
     }
     for (std::size_t t = 0; t < triangles; ++t) {
         if (of_triangle[t].side >= 0) continue;
         for (std::size_t i = 3 * t; i < 3 * t + 3; ++i) mesh.indices[i] = mirrored[mesh.indices[i]];
     }
+    if (report.split_vertices > 0) sort_by_first_use(mesh);
     return report;
 }
 

@@ -13,7 +13,7 @@ namespace kreda::raster {
 struct TangentReport {
     std::uint32_t split_vertices = 0;        ///< mirrored and unmirrored triangles met there: now two vertices
     std::uint32_t degenerate_triangles = 0;  ///< their three uvs lie on a line: they say nothing about u
-    std::uint32_t without_direction = 0;     ///< vertices of which no triangle says anything, or all cancel
+    std::uint32_t without_direction = 0;     ///< vertices in use of which no triangle says anything, or all cancel
 };
 
 /// Fill mesh.tangents. Requires uvs and normals, one a vertex; nothing may be appended to the mesh afterwards.

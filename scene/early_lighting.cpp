@@ -1,6 +1,7 @@
 #include "scene/early_lighting.hpp"
 
 #include <algorithm>
+#include <array>
 
 #include <glm/geometric.hpp>
 #include <glm/matrix.hpp>
@@ -73,12 +74,28 @@ void light_chunk(const Frame& frame, const raster::TriangleChunk& chunk, std::ve
     }
 }
 
+void set_uv(const glm::vec2& uv, const glm::vec2& step_x, const glm::vec2& step_y, int i, raster::Fragments& points) {
+    points.u.set(i, uv.x);
+    points.v.set(i, uv.y);
+    points.du_dx.set(i, step_x.x);
+    points.dv_dx.set(i, step_x.y);
+    points.du_dy.set(i, step_y.x);
+    points.dv_dy.set(i, step_y.y);
+}
+
+void set_tangent(const glm::vec4& tangent, int i, raster::Fragments& points) {
+    points.tangent.set(i, glm::vec3(tangent));
+    points.tangent_side.set(i, tangent.w);
+}
+
 }  // namespace
 
 void set_vertex_point(const raster::VertexStreams& streams, std::uint32_t vertex, int i, raster::Fragments& points) {
     points.position.set(i, streams.position_world[vertex]);
     points.normal.set(i, streams.normal_world[vertex]);
     points.face_normal.set(i, streams.normal_world[vertex]);
+    if (!streams.uv.empty()) set_uv(streams.uv[vertex], glm::vec2(0.0f), glm::vec2(0.0f), i, points);
+    if (!streams.tangent_world.empty()) set_tangent(streams.tangent_world[vertex], i, points);
 }
 
 float orientation_of(const glm::mat4& world_from_object) {
@@ -89,13 +106,23 @@ void set_flat_point(const RenderBuffers& buffers, const raster::TriangleChunk& c
                     const raster::ScreenTriangle& triangle, float orientation, int i, raster::Fragments& points) {
     const raster::MeshInstance& instance = buffers.instances[chunk.instance];
     const std::uint32_t* index = &instance.mesh->indices[3 * std::size_t{triangle.source - chunk.first_source}];
-    const glm::vec3* position = &buffers.streams.position_world[instance.first_vertex];
-    const glm::vec3 a = position[index[0]];
-    const glm::vec3 b = position[index[1]];
-    const glm::vec3 c = position[index[2]];
+    const raster::VertexStreams& streams = buffers.streams;
+    const auto corners = [&](const auto& stream) {
+        const auto* first = &stream[instance.first_vertex];
+        return std::array{first[index[0]], first[index[1]], first[index[2]]};
+    };
+    const auto [a, b, c] = corners(streams.position_world);
     points.position.set(i, (a + b + c) * (1.0f / 3.0f));
     points.normal.set(i, orientation * glm::cross(b - a, c - a));
     points.face_normal.set(i, points.normal.at(i));
+    if (!streams.uv.empty()) {
+        const auto [uv_a, uv_b, uv_c] = corners(streams.uv);
+        set_uv((uv_a + uv_b + uv_c) * (1.0f / 3.0f), 0.5f * (uv_b - uv_a), 0.5f * (uv_c - uv_a), i, points);
+    }
+    if (!streams.tangent_world.empty()) {
+        const auto [t_a, t_b, t_c] = corners(streams.tangent_world);
+        set_tangent((t_a + t_b + t_c) * (1.0f / 3.0f), i, points);
+    }
 }
 
 void light_vertices(const Frame& frame) {

@@ -152,7 +152,13 @@ std::unique_ptr<OIIO::ImageInput> open_input(const std::string& path) {
     return input;
 }
 
-raster::Image read_with_oiio(const std::string& path, const ImageReadOptions& options) {
+/// 8 or 16; 0 where a channel is no short integer.
+int bits_of(const OIIO::ImageSpec& spec) {
+    if (spec.format.is_floating_point() || spec.format.size() > 2) return 0;
+    return static_cast<int>(8 * spec.format.size());
+}
+
+StoredImage read_with_oiio(const std::string& path, const ImageReadOptions& options) {
     const std::unique_ptr<OIIO::ImageInput> input = open_input(path);
     const OIIO::ImageSpec spec = input->spec();
     check_size(path, spec, options);
@@ -160,7 +166,7 @@ raster::Image read_with_oiio(const std::string& path, const ImageReadOptions& op
     if (!input->read_image(0, 0, 0, spec.nchannels, OIIO::TypeFloat, data.data())) {
         throw UserError(Place{path}, "is damaged: " + input->geterror());
     }
-    return display_window(spec, data);
+    return {display_window(spec, data), bits_of(spec)};
 }
 
 }  // namespace
@@ -171,6 +177,10 @@ std::uint8_t byte_from_encoded(float encoded) {
 }
 
 raster::Image read_image(const std::string& path, const ImageReadOptions& options) {
+    return read_stored_image(path, options).image;
+}
+
+StoredImage read_stored_image(const std::string& path, const ImageReadOptions& options) {
     check_is_file(path);
     try {
         return read_with_oiio(path, options);

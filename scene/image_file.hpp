@@ -21,6 +21,15 @@ struct ImageReadOptions {
 /// window is not its display window gives the display window, 0 where there is no data. Throws UserError.
 [[nodiscard]] raster::Image read_image(const std::string& path, const ImageReadOptions& options = {});
 
+/// An image and how its file holds a channel.
+struct StoredImage {
+    raster::Image image;
+    int bits = 0;  ///< 8 or 16 for integers; 0 for floating-point numbers, and for longer integers
+};
+
+/// The same with the depth of the file.
+[[nodiscard]] StoredImage read_stored_image(const std::string& path, const ImageReadOptions& options = {});
+
 /// The byte that a PNG holds for an encoded value: round(255 c), c clamped to 0..1, NaN to 0.
 [[nodiscard]] std::uint8_t byte_from_encoded(float encoded);
 

@@ -163,10 +163,10 @@ lighting::Material convert(const tinyobj::material_t& mtl, const Given& given) {
     if (given.Kd) material.cook_torrance.albedo = color(mtl.diffuse);
     if (given.Pr) material.cook_torrance.roughness = mtl.roughness;
     if (given.Pm) material.cook_torrance.metallic = mtl.metallic;
-    material.maps.albedo = material.maps.diffuse = mtl.diffuse_texname;
-    material.maps.roughness = mtl.roughness_texname;
-    material.maps.metallic = mtl.metallic_texname;
-    material.maps.normal = mtl.normal_texname;
+    material.maps.albedo.file = material.maps.diffuse.file = mtl.diffuse_texname;
+    material.maps.roughness.file = mtl.roughness_texname;
+    material.maps.metallic.file = mtl.metallic_texname;
+    material.maps.normal.file = mtl.normal_texname;
     const bool is_pbr = given.Pr || given.Pm || !mtl.roughness_texname.empty() || !mtl.metallic_texname.empty();
     const bool is_matt = material.phong.specular == glm::vec3(0.0f) || mtl.illum == 1;
     material.model = is_pbr    ? lighting::ReflectionModel::cook_torrance

@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "lighting/passes.hpp"
+#include "scene/map_meshes.hpp"
 
 namespace kreda::scene {
 
@@ -46,7 +47,15 @@ raster::VertexNeeds vertex_needs(const Scene& scene, const RenderPlan& plan) {
     needs.normal_world = lit_at_pixels || lit_at_vertices;
     needs.color = lit_at_vertices;
     needs.fog = plan.fog_at_vertices;
-    for (const View* view : plan.views) needs.normal_world |= view->needs.normal;
+    for (const View* view : plan.views) {
+        needs.normal_world |= view->needs.normal;
+        needs.uv |= view->needs.uv;
+    }
+    const std::vector<bool> visible = visible_materials(scene);
+    for (std::size_t m = 0; m < plan.materials.size(); ++m) {
+        needs.uv |= visible[m] && plan.materials[m].map_needs.uv;
+        needs.tangent_world |= visible[m] && plan.materials[m].map_needs.tangent;
+    }
     if (scene.objects.empty()) needs = {};
     return needs;
 }
@@ -61,8 +70,22 @@ raster::FragmentNeeds fragment_needs(const RenderPlan& plan) {
     for (const View* view : plan.views) {
         needs.position |= view->needs.position;
         needs.normal |= view->needs.normal;
+        needs.uv |= view->needs.uv;
     }
     return needs;
+}
+
+/// Maps are read where the light is computed: at samples only with phong.
+std::vector<raster::FragmentNeeds> fragment_needs_of_materials(const RenderPlan& plan) {
+    std::vector<raster::FragmentNeeds> of_material(plan.materials.size(), plan.fragment);
+    if (plan.frequency != ShadingFrequency::phong) return of_material;
+    for (std::size_t m = 0; m < of_material.size(); ++m) {
+        const lighting::MapNeeds& maps = plan.materials[m].map_needs;
+        of_material[m].uv |= maps.uv;
+        of_material[m].uv_steps |= maps.uv_steps;
+        of_material[m].tangent |= maps.tangent;
+    }
+    return of_material;
 }
 
 void plan_vertices(const Scene& scene, const Sizes& sizes, RenderPlan& plan) {
@@ -71,6 +94,8 @@ void plan_vertices(const Scene& scene, const Sizes& sizes, RenderPlan& plan) {
     pass.buffers.push_back({"screen", sizes.vertices * sizeof(raster::ScreenVertex)});
     if (plan.vertex.position_world) pass.buffers.push_back({"position_world", sizes.vertices * sizeof(glm::vec3)});
     if (plan.vertex.normal_world) pass.buffers.push_back({"normal_world", sizes.vertices * sizeof(glm::vec3)});
+    if (plan.vertex.uv) pass.buffers.push_back({"uv", sizes.vertices * sizeof(glm::vec2)});
+    if (plan.vertex.tangent_world) pass.buffers.push_back({"tangent_world", sizes.vertices * sizeof(glm::vec4)});
     plan.passes.push_back(pass);
     if (plan.frequency == ShadingFrequency::gouraud) {
         plan.passes.push_back(
@@ -133,6 +158,45 @@ void plan_tiles(const Scene& scene, RenderPlan& plan) {
     }
 }
 
+const char* filter_name(lighting::TextureFilter filter) {
+    switch (filter) {
+        case lighting::TextureFilter::nearest: return "nearest";
+        case lighting::TextureFilter::bilinear: return "bilinear";
+        case lighting::TextureFilter::trilinear: return "trilinear";
+    }
+    return "";
+}
+
+const char* where_lit(ShadingFrequency frequency) {
+    switch (frequency) {
+        case ShadingFrequency::flat: return "at every triangle's centroid";
+        case ShadingFrequency::gouraud: return "at every vertex";
+        case ShadingFrequency::phong: return "at every sample";
+    }
+    return "";
+}
+
+/// One pass a material with maps.
+void plan_maps(const Scene& scene, RenderPlan& plan) {
+    const std::vector<bool> visible = visible_materials(scene);
+    for (std::size_t m = 0; m < plan.materials.size(); ++m) {
+        const lighting::MaterialMaps& maps = plan.materials[m].maps;
+        if (!visible[m] || !plan.materials[m].map_needs.uv) continue;
+        PlannedPass pass{"maps of " + scene.materials[m].name, "", {}};
+        for (const lighting::MapUse& use : lighting::map_uses()) {
+            const raster::Texture* texture = (maps.*use.map).texture.get();
+            if (!texture) continue;
+            const std::string size = std::to_string(texture->width) + " x " + std::to_string(texture->height);
+            pass.reason += (pass.reason.empty() ? "" : ", ") + std::string(use.name) + "_map";
+            pass.buffers.push_back({std::string(use.name) + " " + size + ", levels " +
+                                        std::to_string(texture->level_count),
+                                    texture->texels.size() * sizeof(float)});
+        }
+        pass.reason += std::string(" read ") + where_lit(plan.frequency) + ", " + filter_name(maps.filter);
+        plan.passes.push_back(pass);
+    }
+}
+
 void plan_film(const Scene& scene, const Sizes& sizes, RenderPlan& plan) {
     const int n = scene.image.samples;
     const std::string reason = n == 1 ? "one sample a pixel" : "mean of " + std::to_string(n * n) + " samples a pixel";
@@ -154,6 +218,9 @@ void list_left_out(RenderPlan& plan) {
              "only shading.frequency = \"flat\" lights triangles");
     left_out(plan.frequency != ShadingFrequency::phong, "light pixels",
              "only shading.frequency = \"phong\" lights pixels");
+    const bool no_maps = std::none_of(plan.passes.begin(), plan.passes.end(),
+                                      [](const PlannedPass& pass) { return pass.name.starts_with("maps of "); });
+    left_out(no_maps, "maps", "no visible material has a map that its model reads");
     left_out(no_fog, "fog", "fog.mode = \"none\"");
 }
 
@@ -179,10 +246,12 @@ RenderPlan make_plan(const Scene& scene, const std::vector<const View*>& views) 
     plan.shows_blockers = std::any_of(views.begin(), views.end(), [](const View* view) {
         return view->name == "blocker_distance" || view->name == "penumbra";
     });
+    for (const lighting::Material& material : scene.materials) plan.materials.push_back(prepare(material));
     plan.vertex = vertex_needs(scene, plan);
     plan.fragment = fragment_needs(plan);
-    for (const lighting::Material& material : scene.materials) plan.materials.push_back(prepare(material));
+    plan.fragment_of_material = fragment_needs_of_materials(plan);
     if (!scene.objects.empty()) {
+        plan_maps(scene, plan);
         plan_vertices(scene, sizes, plan);
         plan_shadow_maps(scene, plan);
         plan_triangles(sizes, plan);

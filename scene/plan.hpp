@@ -41,6 +41,7 @@ struct RenderPlan {
     ShadingFrequency frequency = ShadingFrequency::phong;
     raster::VertexNeeds vertex;  ///< attributes of the vertex streams
     raster::FragmentNeeds fragment;  ///< attributes that are interpolated for each visible sample
+    std::vector<raster::FragmentNeeds> fragment_of_material;  ///< the same, and what the maps of a material read
     std::vector<lighting::MaterialSetup> materials;  ///< the scene's, made ready
     bool has_lights = false;     ///< one that is on
     std::vector<PlannedShadow> shadows;  ///< one for each light that casts shadows onto something seen

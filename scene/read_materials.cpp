@@ -6,6 +6,7 @@
 
 #include "lighting/cook_torrance.hpp"
 #include "lighting/spectrum.hpp"
+#include "scene/read_maps.hpp"
 #include "scene/toml_check.hpp"
 
 namespace kreda::scene {
@@ -95,21 +96,22 @@ lighting::PhongMaterial read_phong(const Value& table) {
     return material;
 }
 
-lighting::Material read_material(const Value& table) {
+lighting::Material read_material(const Value& table, const std::string& folder, std::vector<std::string>& warnings) {
     lighting::Material material;
     read(table, "name", material.name);
     read_word(table, "model", material.model);
     material.phong = read_phong(table);
     material.cook_torrance = read_cook_torrance(table);
+    read_maps(table, folder, material, warnings);
     return material;
 }
 
 }  // namespace
 
-void read_materials(const Value& tables, Scene& scene) {
+void read_materials(const Value& tables, const std::string& folder, Scene& scene) {
     std::set<std::string> names;
     for (const Value& table : tables.items) {
-        const lighting::Material material = read_material(table);
+        const lighting::Material material = read_material(table, folder, scene.warnings);
         if (!names.insert(material.name).second) {
             const std::string what = "there is already a material " + in_quotes(material.name);
             throw UserError(place_of(table, "name"), what + "; each [[material]] needs its own name");

@@ -57,26 +57,11 @@ raster::Mesh built_in_mesh(const Value& table, const std::string& name, int deta
     }
 }
 
-/// One line for all textures of a mesh file: such files are everywhere, they must not stop the picture.
-std::string texture_warning(const std::string& path, const std::vector<lighting::Material>& materials) {
-    std::string names;
-    for (const lighting::Material& material : materials) {
-        const lighting::MaterialMaps& maps = material.maps;
-        const bool plain = maps.albedo.empty() && maps.diffuse.empty() && maps.metallic.empty() &&
-                           maps.roughness.empty() && maps.ao.empty() && maps.normal.empty();
-        if (!plain) names += (names.empty() ? "" : ", ") + on_one_line(material.name);
-    }
-    if (names.empty()) return "";
-    return path + ": textures are not built yet in this version (planned); drawn without them: " + names;
-}
-
 SharedMesh ObjectReader::load_file(const std::string& path, Normals normals) {
     LoadedMesh loaded = load_mesh_file(path, {normals, options.allow_outside});
     const SharedMesh shared{std::make_shared<const raster::Mesh>(std::move(loaded.mesh)),
                             static_cast<int>(scene.materials.size())};
     scene.warnings.insert(scene.warnings.end(), loaded.warnings.begin(), loaded.warnings.end());
-    const std::string warning = texture_warning(path, loaded.materials);
-    if (!warning.empty()) scene.warnings.push_back(warning);
     scene.materials.insert(scene.materials.end(), loaded.materials.begin(), loaded.materials.end());
     return shared;
 }

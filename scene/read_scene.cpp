@@ -9,6 +9,7 @@
 
 #include <glm/geometric.hpp>
 
+#include "scene/load_maps.hpp"
 #include "scene/overrides.hpp"
 #include "scene/read_materials.hpp"
 #include "scene/read_objects.hpp"
@@ -172,8 +173,9 @@ Scene build_scene(const Value& root, const std::string& name, const std::string&
     }
     if (const Value* table = find(root, "shadow")) scene.shadow = read_shadow(*table);
     if (const Value* table = find(root, "fog")) scene.fog = read_fog(*table);
-    if (const Value* tables = find(root, "material")) read_materials(*tables, scene);
+    if (const Value* tables = find(root, "material")) read_materials(*tables, folder, scene);
     read_objects(root, folder, options, scene);
+    load_maps(scene);
     return scene;
 }
 

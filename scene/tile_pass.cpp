@@ -178,8 +178,9 @@ void shade_runs(const Frame& frame, const TileArea& area, int run_count, TileScr
 void work_batch(const Frame& frame, const TileArea& area, const Run* runs, int count, TileScratch& scratch) {
     Stopwatch watch;
     scratch.fragments.count = 0;
-    if (frame.plan.fragment.any()) {
-        interpolate_runs(frame.buffers.streams, frame.buffers.triangles, area, runs, count, frame.plan.fragment,
+    const raster::FragmentNeeds& needs = frame.plan.fragment_of_material[runs[0].material];
+    if (needs.any()) {
+        interpolate_runs(frame.buffers.streams, frame.buffers.triangles, area, runs, count, needs,
                          frame.plan.interpolation, scratch.fragments);
     }
     if (frame.plan.frequency == ShadingFrequency::flat) {

@@ -1,6 +1,7 @@
 #include "scene/views.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
 
 #include "lighting/ward_passes.hpp"
@@ -43,6 +44,26 @@ bool is_lit_microfacet(const RenderPlan& plan, std::uint32_t material) {
     return is_microfacet(plan, material) && plan.has_lights;
 }
 
+bool has_map(const RenderPlan& plan, std::uint32_t material, lighting::Map lighting::MaterialMaps::*map) {
+    return plan.frequency == ShadingFrequency::phong && (plan.materials[material].maps.*map).texture;
+}
+
+bool has_diffuse_map(const RenderPlan& plan, std::uint32_t material) {
+    return has_map(plan, material, &lighting::MaterialMaps::diffuse);
+}
+
+bool has_normal_map(const RenderPlan& plan, std::uint32_t material) {
+    return has_map(plan, material, &lighting::MaterialMaps::normal);
+}
+
+bool has_ao_map(const RenderPlan& plan, std::uint32_t material) {
+    return has_map(plan, material, &lighting::MaterialMaps::ao);
+}
+
+bool has_level(const RenderPlan& plan, std::uint32_t material) {
+    return plan.frequency == ShadingFrequency::phong && plan.materials[material].map_needs.uv_steps;
+}
+
 bool in_fog(const RenderPlan& plan, std::uint32_t) {
     return plan.fog_at_pixels || plan.fog_at_vertices;
 }
@@ -57,6 +78,8 @@ constexpr const char* kGrain =
     "shading.frequency = \"phong\" and a material with model = \"heidrich_seidel\", or \"ward\" and ward_alpha";
 constexpr const char* kShadows =
     "shading.frequency = \"phong\", a material that is not unlit and a light whose shadow = true falls on something seen";
+constexpr const char* kMap = "shading.frequency = \"phong\" and a material with that map, read by its model";
+constexpr const char* kLevel = "shading.frequency = \"phong\" and a material with a map and texture_filter = \"trilinear\"";
 constexpr const char* kFog = "fog.mode that is not \"none\"";
 
 /// G from V = G / (4 (n.l)(n.v)).
@@ -64,10 +87,15 @@ float geometry_from_visibility(const lighting::MicrofacetChannels& m, int i) {
     return 4.0f * m.n_dot_l.at(i) * m.n_dot_v.at(i) * m.V.at(i);
 }
 
+float fraction_of(const raster::Channel& coordinate, int i) {
+    return coordinate.at(i) - std::floor(coordinate.at(i));
+}
+
 std::vector<View> make_views() {
     using enum ViewScale;
     constexpr raster::FragmentNeeds kNothing{};
     constexpr raster::FragmentNeeds kPosition{.position = true};
+    constexpr raster::FragmentNeeds kUv{.uv = true};
     return {
         {"radiance", "what leaves toward the viewer, fog included: the picture itself", kAnything, 3, radiance,
          kNothing, always, [](const Batch& b, int i, int c) { return b.lighting.radiance.at(i)[c]; }},
@@ -75,6 +103,14 @@ std::vector<View> make_views() {
          nullptr},
         {"position", "world position", kAnything, 3, range, kPosition, always,
          [](const Batch& b, int i, int c) { return b.points.position.at(i)[c]; }},
+        {"uv", "texture coordinates, their fractions: red u, green v", kAnything, 3, share, kUv, always,
+         [](const Batch& b, int i, int c) { return c == 2 ? 0.0f : fraction_of(c == 0 ? b.points.u : b.points.v, i); }},
+        {"level", "level of detail at which the colour map is read: 0 finest", kLevel, 1, range, kNothing, has_level,
+         [](const Batch& b, int i, int) { return std::max(b.lighting.level.at(i), 0.0f); }},
+        {"diffuse_map", "m_D as the map gives it", kMap, 3, color, kNothing, has_diffuse_map,
+         [](const Batch& b, int i, int c) { return b.lighting.m_D.at(i)[c]; }},
+        {"normal_map", "the map's vector, in the surface's directions t, b, n", kMap, 3, direction, kNothing,
+         has_normal_map, [](const Batch& b, int i, int c) { return b.lighting.map_normal.at(i)[c]; }},
         {"normal", "n: unit normal, world space", kLit, 3, direction, kNothing, lit_at_pixels,
          [](const Batch& b, int i, int c) { return b.lighting.n.at(i)[c]; }},
         {"to_viewer", "v: unit, to the viewer", kLit, 3, direction, kNothing, lit_at_pixels,
@@ -87,6 +123,8 @@ std::vector<View> make_views() {
          [](const Batch& b, int i, int) { return b.lighting.microfacet.metallic.at(i); }},
         {"roughness", "0 smooth .. 1 rough", kMicrofacet, 1, share, kNothing, is_microfacet,
          [](const Batch& b, int i, int) { return b.lighting.microfacet.roughness.at(i); }},
+        {"ao", "share of the environment's light that arrives", kMap, 1, share, kNothing, has_ao_map,
+         [](const Batch& b, int i, int) { return b.lighting.microfacet.ao.at(i); }},
         {"f0", "F0: reflectance at normal incidence", kMicrofacet, 3, color, kNothing, is_microfacet,
          [](const Batch& b, int i, int c) { return b.lighting.microfacet.f0.at(i)[c]; }},
         {"to_light", "l: unit, to the last light that is on", kLights, 3, direction, kNothing, lit_by_lights,

@@ -140,7 +140,8 @@ void explain_fog_factor(const SampleFacts& sample, Section& section) {
 
 void explain_interpolation(const SampleFacts& sample, Derivation& derivation) {
     const raster::VertexStreams& streams = sample.frame.buffers.streams;
-    const raster::FragmentNeeds& needs = sample.frame.plan.fragment;
+    const std::uint32_t material = sample.seen().triangle.material;
+    const raster::FragmentNeeds& needs = sample.frame.plan.fragment_of_material[material];
     const raster::Fragments& f = sample.passes->fragments;
     const std::array<std::uint32_t, 3> v = sample.seen().triangle.vertex;
     const glm::vec3 b =

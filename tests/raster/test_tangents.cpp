@@ -73,6 +73,7 @@ TEST_CASE("Vertex where a mirrored and an unmirrored triangle meet is split") {
     }
     CHECK(mesh.positions[mesh.indices[3]] == glm::vec3(0, 0, 0));  // the copies stand where the originals do
     CHECK(mesh.uvs[mesh.indices[4]] == glm::vec2(1, 1));
+    CHECK(mesh.indices == std::vector<std::uint32_t>{0, 1, 2, 3, 4, 5});  // no part among the vertices of another
 }
 
 TEST_CASE("Triangle whose uvs lie on a line says nothing and lonely vertices get a perpendicular") {

@@ -12,6 +12,7 @@
 #include <doctest/doctest.h>
 
 #include "scene/error.hpp"
+#include "tests/scene/raw_png.hpp"
 #include "tests/scene/temp_folder.hpp"
 
 using kreda::raster::Image;
@@ -22,6 +23,9 @@ using kreda::scene::write_exr;
 using kreda::scene::write_png;
 using kreda::tests::bytes_of;
 using kreda::tests::TempFolder;
+using kreda::tests::big_endian;
+using kreda::tests::one_pixel_png;
+using kreda::tests::png_chunk;
 
 namespace {
 
@@ -74,25 +78,6 @@ std::string message_of(const auto& action) {
         return error.what();
     }
     return "no error";
-}
-
-std::string big_endian(std::uint32_t value) {
-    std::string bytes;
-    for (int shift = 24; shift >= 0; shift -= 8) bytes += static_cast<char>(value >> shift & 0xff);
-    return bytes;
-}
-
-std::uint32_t crc32(const std::string& bytes) {
-    std::uint32_t crc = 0xffffffffu;
-    for (const char c : bytes) {
-        crc ^= static_cast<unsigned char>(c);
-        for (int bit = 0; bit < 8; ++bit) crc = (crc >> 1) ^ ((crc & 1u) ? 0xedb88320u : 0u);
-    }
-    return ~crc;
-}
-
-std::string png_chunk(const std::string& type, const std::string& data) {
-    return big_endian(static_cast<std::uint32_t>(data.size())) + type + data + big_endian(crc32(type + data));
 }
 
 /// A PNG that promises an RGB picture of this size and has almost no data (the empty zlib stream).
@@ -222,17 +207,8 @@ TEST_CASE("image file: a missing folder and a wrong extension say what to do") {
 
 TEST_CASE("image file: colour is not multiplied by alpha") {
     // A PNG of one pixel (200,100,50) at alpha 128: filter byte 0, then RGBA, in a stored deflate block.
-    const std::string pixel("\x00\xc8\x64\x32\x80", 5);
-    std::uint32_t s1 = 1, s2 = 0;  // Adler-32, RFC 1950
-    for (const char c : pixel) {
-        s1 = (s1 + static_cast<unsigned char>(c)) % 65521;
-        s2 = (s2 + s1) % 65521;
-    }
-    const std::string stream = std::string("\x78\x01\x01\x05\x00\xfa\xff", 7) + pixel + big_endian(s2 << 16 | s1);
-    const std::string header = big_endian(1) + big_endian(1) + std::string("\x08\x06\x00\x00\x00", 5);
     const TempFolder folder;
-    const std::string file = folder.write(
-        "a.png", "\x89PNG\r\n\x1a\n" + png_chunk("IHDR", header) + png_chunk("IDAT", stream) + png_chunk("IEND", ""));
+    const std::string file = folder.write("a.png", one_pixel_png(8, 6, "\xc8\x64\x32\x80"));
     const Image image = read_image(file);
     REQUIRE(image.channels == 4);
     const std::vector<int> expected = {200, 100, 50, 128};

@@ -228,11 +228,11 @@ TEST_CASE("mesh file: maps are found beside their MTL and absent ones only warn"
                  "norm ..\\textures\\r.png\nmap_Bump r.png\n");
     const LoadedMesh loaded = load_mesh_file(folder.write("a.obj", "mtllib textures/a.mtl\n" + kTriangle));
     const lighting::MaterialMaps& maps = loaded.materials.at(0).maps;
-    CHECK(std::filesystem::equivalent(maps.albedo, folder.file("textures/wood grain.png")));
-    CHECK(maps.diffuse == maps.albedo);
-    CHECK(std::filesystem::equivalent(maps.roughness, folder.file("textures/r.png")));
-    CHECK(std::filesystem::equivalent(maps.normal, folder.file("textures/r.png")));
-    CHECK(maps.metallic.empty());
+    CHECK(std::filesystem::equivalent(maps.albedo.file, folder.file("textures/wood grain.png")));
+    CHECK(maps.diffuse.file == maps.albedo.file);
+    CHECK(std::filesystem::equivalent(maps.roughness.file, folder.file("textures/r.png")));
+    CHECK(std::filesystem::equivalent(maps.normal.file, folder.file("textures/r.png")));
+    CHECK(maps.metallic.file.empty());
     CHECK(loaded.materials[0].model == lighting::ReflectionModel::cook_torrance);
     CHECK(mentions(loaded.warnings, "a.mtl:4:1: no such image file"));
     CHECK(mentions(loaded.warnings, "a.mtl:6:1: 'map_Bump' is ignored"));

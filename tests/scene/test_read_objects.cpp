@@ -171,12 +171,3 @@ TEST_CASE("Flat normals of a built-in mesh are those of its triangles") {
     }
 }
 
-TEST_CASE("Textures of a mesh file are remembered and warned of once") {
-    const MeshFolder folder;
-    folder.write("wood.png", "any");
-    folder.write("parts.mtl", "newmtl red\nKd 1 0 0\nmap_Kd wood.png\nnewmtl blue\nKd 0 0 1\n");
-    const Scene scene = folder.read("[[object]]\nmesh = 'parts.obj'\n[[object]]\nmesh = 'parts.obj'\n");
-    REQUIRE(scene.warnings.size() == 1);
-    CHECK(scene.warnings[0].find("textures are not built yet") != std::string::npos);
-    CHECK(scene.warnings[0].find("red") != std::string::npos);
-}

@@ -154,7 +154,6 @@ TEST_CASE("What is planned but not built says so") {
     CHECK(complaint("[shadow]\nmethod = 'planar'\n") == "s.toml:2:10: method = \"planar\"" + end);
     CHECK(complaint("[[light]]\nshadow = true\n[shadow]\nmethod = 'map'\n") == "no complaint");
     CHECK(complaint("[image]\nbackground = 'environment'\n") == "s.toml:2:14: background = \"environment\"" + end);
-    CHECK(complaint("[[material]]\nalbedo_map = 'a.png'\n") == "s.toml:2:1: 'albedo_map' in [[material]]" + end);
 }
 
 TEST_CASE("The microfacet model's constants have their ranges") {

@@ -1,0 +1,19 @@
+// What maps ask of the meshes that wear them: texture coordinates, and tangents for normal maps.
+#pragma once
+
+#include "scene/scene.hpp"
+
+namespace kreda::scene {
+
+/// Whether some visible part of the scene has this material (an index into scene.materials).
+[[nodiscard]] std::vector<bool> visible_materials(const Scene& scene);
+
+/// Parts whose mesh has no texture coordinates are drawn without maps: they get a copy of their material that has
+/// none. Warns once a mesh and material.
+void drop_maps_without_uv(Scene& scene);
+
+/// Gives the meshes whose material reads a normal map (its texels are there) their tangents. Warns where some vertices
+/// have none.
+void add_tangents(Scene& scene);
+
+}  // namespace kreda::scene

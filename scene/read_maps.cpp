@@ -1,0 +1,83 @@
+#include "scene/read_maps.hpp"
+
+#include <filesystem>
+
+#include "lighting/maps.hpp"
+#include "scene/map_folder.hpp"
+#include "scene/toml_check.hpp"
+
+namespace kreda::scene {
+
+namespace {
+
+namespace fs = std::filesystem;
+
+std::string path_in(const std::string& folder, const std::string& name) {
+    return (fs::path(folder) / name).lexically_normal().string();
+}
+
+/// Names of image files beside a path that is not there.
+std::vector<std::string> neighbours(const fs::path& path) {
+    std::vector<std::string> names;
+    std::error_code failed;
+    const fs::path folder = path.parent_path().empty() ? fs::path(".") : path.parent_path();
+    for (fs::directory_iterator it(folder, failed), end; !failed && it != end && names.size() < 500; it.increment(failed)) {
+        names.push_back(it->path().filename().string());
+    }
+    return names;
+}
+
+void check_file(const Value& key, const std::string& path) {
+    std::error_code failed;
+    if (fs::is_regular_file(path, failed)) return;
+    const std::string what = fs::is_directory(path, failed) ? " is a folder, not an image file" : " is not there";
+    const std::string near = nearest_word(fs::path(path).filename().string(), neighbours(path));
+    throw UserError(key.place, in_quotes(key.key) + ": " + in_quotes(path) + what +
+                                   (near.empty() ? "" : "; did you mean " + in_quotes(near) + "?"));
+}
+
+/// The maps of a folder, under the names that the material's model reads.
+void read_folder(const Value& key, const std::string& folder, lighting::Material& material,
+                 std::vector<std::string>& warnings) {
+    const MapFolder found = find_maps(path_in(folder, key.text));
+    if (!found.problem.empty()) throw UserError(key.place, in_quotes(key.key) + ": " + found.problem);
+    material.maps = found.maps;
+    material.maps.diffuse = found.maps.albedo;
+    if (found.not_used.empty()) return;
+    std::string names;
+    for (const std::string& name : found.not_used) names += (names.empty() ? "" : ", ") + on_one_line(name);
+    warnings.push_back(UserError(key.place, "'maps' does not use " + names).what());
+}
+
+std::string usual_remedy(const lighting::MapUse& use) {
+    if (use.map == &lighting::MaterialMaps::diffuse) return "; its colour is albedo_map";
+    if (use.map == &lighting::MaterialMaps::albedo) return "; its colour is diffuse_map";
+    return "";
+}
+
+void read_map(const Value& key, const lighting::MapUse& use, const std::string& folder, lighting::Material& material,
+              std::vector<std::string>& warnings) {
+    lighting::Map& map = material.maps.*use.map;
+    map.file = path_in(folder, key.text);
+    check_file(key, map.file);
+    if (reads_map(material.model, use)) return;
+    const std::string model(find_key("material", "model")->words[static_cast<std::size_t>(material.model)]);
+    const std::string what = in_quotes(key.key) + " is not read by model = \"" + model + "\"";
+    warnings.push_back(UserError(key.place, what + usual_remedy(use)).what());
+}
+
+}  // namespace
+
+void read_maps(const Value& table, const std::string& folder, lighting::Material& material,
+               std::vector<std::string>& warnings) {
+    if (const Value* key = find(table, "maps")) read_folder(*key, folder, material, warnings);
+    for (const lighting::MapUse& use : lighting::map_uses()) {
+        const Value* key = find(table, std::string(use.name) + "_map");
+        if (key) read_map(*key, use, folder, material, warnings);
+    }
+    read_word(table, "normal_map_y", material.maps.normal_y);
+    read_word(table, "texture_filter", material.maps.filter);
+    read_word(table, "texture_wrap", material.maps.wrap);
+}
+
+}  // namespace kreda::scene
