@@ -12,6 +12,7 @@
 
 #include "raster/film.hpp"
 #include "raster/shapes.hpp"
+#include "scene/map_meshes.hpp"
 #include "scene/render.hpp"
 
 namespace {
@@ -61,6 +62,33 @@ scene::Scene base_scene(lighting::ReflectionModel model) {
     return s;
 }
 
+/// A picture of odd size with something on every scale.
+std::shared_ptr<const raster::Texture> patterned_texture(int channels, int width, int height) {
+    raster::Image image = raster::make_image(width, height, channels);
+    std::mt19937 bits(static_cast<std::uint32_t>(width));
+    for (float& value : image.values) value = static_cast<float>(bits() >> 8) * 0x1p-24f;
+    return std::make_shared<raster::Texture>(raster::make_texture(image));
+}
+
+/// Maps of every kind on the torus knot and the teapot, and on the ground up to the horizon.
+scene::Scene textured_scene(lighting::ReflectionModel model, int i) {
+    scene::Scene s = base_scene(model);
+    for (lighting::Material& material : s.materials) {
+        lighting::MaterialMaps& maps = material.maps;
+        maps.filter = static_cast<lighting::TextureFilter>(i % 3);
+        maps.wrap = static_cast<lighting::TextureWrap>(i % 2);
+        maps.normal_y = static_cast<lighting::NormalMapY>(i % 2);
+        maps.albedo.texture = maps.diffuse.texture = patterned_texture(3, 61, 43);
+        maps.roughness.texture = patterned_texture(1, 128, 64);
+        maps.metallic.texture = patterned_texture(1, 7, 1);
+        maps.normal.texture = patterned_texture(3, 33, 32);
+    }
+    s.shading.frequency = static_cast<scene::ShadingFrequency>(2 - i % 3);
+    s.image.samples = 1 + i % 2;
+    scene::add_tangents(s);
+    return s;
+}
+
 std::vector<NamedScene> make_scenes() {
     using lighting::ReflectionModel;
     std::vector<NamedScene> scenes;
@@ -84,6 +112,14 @@ std::vector<NamedScene> make_scenes() {
         if (i > 1) m.ior = glm::vec3(0.18f, 0.42f, 1.37f);
         if (i > 1) m.extinction = glm::vec3(3.42f, 2.35f, 1.77f);
         scenes.push_back({"cook_torrance " + std::to_string(i), s});
+    }
+    for (int i = 0; i < 6; ++i) {
+        const ReflectionModel model = i < 3 ? ReflectionModel::cook_torrance : ReflectionModel::blinn_phong;
+        scenes.push_back({"textures " + std::to_string(i), textured_scene(model, i)});
+    }
+    scenes.push_back({"textures filtered", textured_scene(ReflectionModel::cook_torrance, 0)});
+    for (lighting::Material& material : scenes.back().scene.materials) {
+        material.maps.filter = lighting::TextureFilter::trilinear;
     }
     for (int i = 0; i < 6; ++i) {
         scene::Scene s = base_scene(ReflectionModel::phong);
