@@ -38,8 +38,10 @@ std::vector<std::string> words_of(const std::string& stem) {
     std::vector<std::string> words(1);
     for (const char c : stem) {
         const bool separates = c == '_' || c == '-' || c == '.' || c == ' ';
-        if (separates) words.emplace_back();
-        else words.back() += static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
+        if (separates)
+            words.emplace_back();
+        else
+            words.back() += static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
     }
     std::erase_if(words, [](const std::string& word) { return word.empty(); });
     return words;

@@ -53,7 +53,7 @@ std::vector<bool> visible_materials(const Scene& scene) {
 }
 
 void drop_maps_without_uv(Scene& scene) {
-    std::map<int, int> plain_of;                        // material -> its copy without maps
+    std::map<int, int> plain_of;                         // material -> its copy without maps
     std::map<std::pair<std::string, int>, bool> warned;  // mesh, material
     for (Object& object : scene.objects) {
         if (!object.mesh->uvs.empty()) continue;
@@ -68,7 +68,8 @@ void drop_maps_without_uv(Scene& scene) {
             }
             object.part_material[part] = plain->second;
             if (!warned.try_emplace({object.mesh_name, material}, true).second) continue;
-            scene.warnings.push_back(object.mesh_name + ": has no texture coordinates (vt); drawn without the maps of '" +
+            scene.warnings.push_back(object.mesh_name +
+                                     ": has no texture coordinates (vt); drawn without the maps of '" +
                                      scene.materials[static_cast<std::size_t>(material)].name + "'");
         }
     }

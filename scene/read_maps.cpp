@@ -21,7 +21,8 @@ std::vector<std::string> neighbours(const fs::path& path) {
     std::vector<std::string> names;
     std::error_code failed;
     const fs::path folder = path.parent_path().empty() ? fs::path(".") : path.parent_path();
-    for (fs::directory_iterator it(folder, failed), end; !failed && it != end && names.size() < 500; it.increment(failed)) {
+    for (fs::directory_iterator it(folder, failed), end; !failed && it != end && names.size() < 500;
+         it.increment(failed)) {
         names.push_back(it->path().filename().string());
     }
     return names;

@@ -73,9 +73,10 @@ bool same_radiance(const Batch& a, const Batch& b) {
     return true;
 }
 
-constexpr ReflectionModel kModels[] = {ReflectionModel::unlit, ReflectionModel::lambert, ReflectionModel::phong,
-                                       ReflectionModel::blinn_phong, ReflectionModel::ward,
-                                       ReflectionModel::heidrich_seidel, ReflectionModel::cook_torrance};
+constexpr ReflectionModel kModels[] = {ReflectionModel::unlit,        ReflectionModel::lambert,
+                                       ReflectionModel::phong,        ReflectionModel::blinn_phong,
+                                       ReflectionModel::ward,         ReflectionModel::heidrich_seidel,
+                                       ReflectionModel::cook_torrance};
 
 }  // namespace
 

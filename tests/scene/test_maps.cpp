@@ -18,8 +18,8 @@
 using namespace kreda;
 using namespace kreda::scene;
 using kreda::lighting::MapKind;
-using kreda::tests::TempFolder;
 using kreda::tests::one_pixel_png;
+using kreda::tests::TempFolder;
 
 namespace {
 
@@ -43,9 +43,7 @@ Scene read_in(const TempFolder& folder, const std::string& text) {
 std::string complaint_in(const TempFolder& folder, const std::string& text) {
     try {
         (void)read_in(folder, text);
-    } catch (const UserError& error) {
-        return error.what();
-    }
+    } catch (const UserError& error) { return error.what(); }
     return "no complaint";
 }
 
@@ -75,7 +73,8 @@ float worst_difference(const raster::Image& a, const raster::Image& b) {
 }  // namespace
 
 TEST_CASE("maps: names of real sets are understood") {
-    for (const char* name : {"albedo.png", "Metal007_1K_Color.jpg", "rust_BaseColor.tga", "wall_diff_2k.jpg", "T_Rock_Base_Color.png"}) {
+    for (const char* name :
+         {"albedo.png", "Metal007_1K_Color.jpg", "rust_BaseColor.tga", "wall_diff_2k.jpg", "T_Rock_Base_Color.png"}) {
         CAPTURE(name);
         CHECK(map_announced_by(name) == "albedo");
     }
@@ -87,7 +86,8 @@ TEST_CASE("maps: names of real sets are understood") {
     CHECK(map_announced_by("Metal007_1K_NormalGL.jpg") == "normal");
     CHECK(map_announced_by("rock_nor_gl_1k.png") == "normal");
     CHECK(map_announced_by("Metal007_1K_NormalDX.jpg") == "normal_down");
-    for (const char* name : {"Metal007_1K_Displacement.jpg", "preview.png", "cacao.png", "1024.png", "normal_map_of_me.png"}) {
+    for (const char* name :
+         {"Metal007_1K_Displacement.jpg", "preview.png", "cacao.png", "1024.png", "normal_map_of_me.png"}) {
         CAPTURE(name);
         CHECK(map_announced_by(name).empty());
     }
@@ -102,7 +102,8 @@ TEST_CASE("maps: a folder is one material and the explicit key wins") {
     folder.write("iron/iron_1K_Height.ppm", even_ppm(0, 0, 0));
     folder.write("iron/readme.txt", "no map");
     folder.write("green.ppm", even_ppm(0, 255, 0));
-    const Scene scene = read_in(folder, wall("model = 'cook_torrance'\nmaps = 'iron/*.ppm'\nalbedo_map = 'green.ppm'\n"));
+    const Scene scene =
+        read_in(folder, wall("model = 'cook_torrance'\nmaps = 'iron/*.ppm'\nalbedo_map = 'green.ppm'\n"));
     const lighting::MaterialMaps& maps = scene.materials[0].maps;
     REQUIRE(maps.albedo.texture);
     CHECK(maps.albedo.texture->texels[0] == 0.0f);
@@ -113,7 +114,8 @@ TEST_CASE("maps: a folder is one material and the explicit key wins") {
     CHECK(maps.normal_y == lighting::NormalMapY::down);
     CHECK_FALSE(maps.ao.texture);
     CHECK(warns(scene, "s.toml:18:8: 'maps' does not use iron_1K_Height.ppm"));
-    const Scene whole = read_in(folder, wall("model = 'lambert'\nmaps = 'iron'\n"));  // a folder alone; its colour is m_D
+    const Scene whole =
+        read_in(folder, wall("model = 'lambert'\nmaps = 'iron'\n"));  // a folder alone; its colour is m_D
     CHECK(whole.materials[0].maps.diffuse.texture);
     CHECK_FALSE(whole.materials[0].maps.roughness.texture);
 }
@@ -177,7 +179,8 @@ TEST_CASE("maps: colours are decoded from sRGB and values are not, with 8 and 16
     CHECK(first(eight, MapKind::color) == raster::linear_from_srgb(188.0f / 255.0f));
     CHECK(first(eight, MapKind::color) == doctest::Approx(0.5).epsilon(0.01));  // byte 188 is half the light
     CHECK(first(eight, MapKind::value) == 188.0f / 255.0f);
-    CHECK(first(sixteen, MapKind::color) == doctest::Approx(raster::linear_from_srgb(48317.0f / 65535.0f)).epsilon(1e-6));
+    CHECK(first(sixteen, MapKind::color) ==
+          doctest::Approx(raster::linear_from_srgb(48317.0f / 65535.0f)).epsilon(1e-6));
     CHECK(first(faint, MapKind::color) == first(eight, MapKind::color));  // not multiplied by alpha
     const auto grey = load_texture(folder.write("grey.pgm", even_pgm(188)), MapKind::color, true, warnings);
     CHECK(grey->channels == 3);
@@ -276,7 +279,8 @@ TEST_CASE("maps: textures of an MTL are read and a normal map gives its mesh tan
     folder.write("wood.ppm", even_ppm(255, 0, 0));
     folder.write("flat.ppm", even_ppm(128, 128, 255));
     folder.write("a.mtl", "newmtl wood\nKd 1 1 1\nmap_Kd wood.ppm\nnorm flat.ppm\n");
-    folder.write("a.obj", "mtllib a.mtl\nusemtl wood\nv 0 0 0\nv 1 0 0\nv 0 1 0\nvt 0 0\nvt 1 0\nvt 0 1\nf 1/1 2/2 3/3\n");
+    folder.write("a.obj",
+                 "mtllib a.mtl\nusemtl wood\nv 0 0 0\nv 1 0 0\nv 0 1 0\nvt 0 0\nvt 1 0\nvt 0 1\nf 1/1 2/2 3/3\n");
     const Scene scene = read_in(folder, "[[object]]\nmesh = 'a.obj'\n");
     CHECK(scene.warnings.empty());
     REQUIRE(scene.materials[0].maps.diffuse.texture);
