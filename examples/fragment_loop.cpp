@@ -1,6 +1,6 @@
 #include "examples/fragment_loop.hpp"
 
-#include <memory>
+#include "raster/fragment_loop.hpp"
 
 namespace kreda::examples {
 
@@ -17,19 +17,7 @@ Frame make_frame(std::vector<raster::MeshInstance> instances, const glm::mat4& c
 void for_each_fragment(const Frame& frame, const raster::FragmentNeeds& needs,
                        raster::AttributeInterpolation interpolation,
                        const std::function<void(int, int, const raster::Fragments&, int)>& visit) {
-    const auto tile = std::make_unique<raster::TileVisibility>();
-    const auto fragments = std::make_unique<raster::Fragments>();
-    std::vector<raster::Run> runs(raster::kTileSide * raster::kTileSide);
-    const raster::TileGrid& grid = frame.triangles.grid;
-    for (int t = 0; t < grid.columns * grid.rows; ++t) {
-        const raster::TileArea area = tile_area(grid, frame.viewport, t);
-        rasterize_tile(frame.streams, frame.triangles, area, *tile);
-        const int run_count = find_runs(*tile, area, frame.triangles, runs.data());
-        for (int r = 0; r < run_count; ++r) {
-            interpolate_runs(frame.streams, frame.triangles, area, &runs[r], 1, needs, interpolation, *fragments);
-            for (int i = 0; i < runs[r].count; ++i) visit(area.x + runs[r].x + i, area.y + runs[r].y, *fragments, i);
-        }
-    }
+    raster::for_each_fragment(frame.streams, frame.triangles, frame.viewport, needs, interpolation, visit);
 }
 
 }  // namespace kreda::examples

@@ -6,9 +6,9 @@
 
 #include <glm/geometric.hpp>
 
-#include "scene/font.hpp"
 #include "raster/film.hpp"
 #include "raster/screen.hpp"
+#include "scene/font.hpp"
 
 namespace kreda::scene {
 
@@ -121,6 +121,69 @@ void draw_text(Image& image, int x, int y, std::string_view text, const glm::vec
         }
         x += kGlyphAdvance * scale;
     }
+}
+
+namespace {
+
+struct Stroke {
+    glm::vec2 from, to;
+};
+
+/// Neighbouring dots of a glyph become strokes; diagonal ones only where no corner joins them. In dots, the first at 0,
+/// 0.
+std::vector<Stroke> strokes_of(const Glyph& glyph) {
+    const auto dot = [&](int row, int column) {
+        const bool inside = row >= 0 && row < kGlyphHeight && column >= 0 && column < kGlyphWidth;
+        return inside && (glyph[static_cast<std::size_t>(row)] >> (kGlyphWidth - 1 - column) & 1) != 0;
+    };
+    std::vector<Stroke> strokes;
+    for (int row = 0; row < kGlyphHeight; ++row) {
+        for (int column = 0; column < kGlyphWidth; ++column) {
+            if (!dot(row, column)) continue;
+            const glm::vec2 here(column, row);
+            const auto stroke = [&](int down, int right) { strokes.push_back({here, here + glm::vec2(right, down)}); };
+            const bool right = dot(row, column + 1), below = dot(row + 1, column), left = dot(row, column - 1);
+            stroke(0, 0);
+            if (right) stroke(0, 1);
+            if (below) stroke(1, 0);
+            if (!right && !below && dot(row + 1, column + 1)) stroke(1, 1);
+            if (!left && !below && dot(row + 1, column - 1)) stroke(1, -1);
+        }
+    }
+    return strokes;
+}
+
+/// All strokes of a glyph at once, so that nothing shows where they overlap.
+void draw_strokes(Image& image, glm::vec2 first_dot, const Glyph& glyph, float scale, const glm::vec3& color) {
+    const float radius = 0.525f * scale;
+    const std::vector<Stroke> strokes = strokes_of(glyph);
+    const Box box =
+        box_of(image, first_dot - radius, first_dot + scale * glm::vec2(kGlyphWidth, kGlyphHeight) + radius);
+    for (int y = box.y0; y < box.y1; ++y) {
+        for (int x = box.x0; x < box.x1; ++x) {
+            const glm::vec2 p = (glm::vec2(x, y) + 0.5f - first_dot) / scale;
+            float nearest = 1e9f;
+            for (const Stroke& s : strokes) nearest = std::min(nearest, distance_to_segment(p, s.from, s.to));
+            blend(image, x, y, color, std::clamp(radius + 0.5f - nearest * scale, 0.0f, 1.0f));
+        }
+    }
+}
+
+}  // namespace
+
+void draw_large_text(Image& image, glm::vec2 corner, std::string_view text, const glm::vec3& color, float scale) {
+    for (const char character : text) {
+        const bool printable = character >= ' ' && character <= '~';
+        const bool descends = std::string_view("gjpqy").find(character) != std::string_view::npos;
+        const glm::vec2 drop(0.5f * scale, (descends ? kDescent + 0.5f : 0.5f) * scale);
+        draw_strokes(image, corner + drop, kFont[static_cast<std::size_t>((printable ? character : '?') - ' ')], scale,
+                     color);
+        corner.x += kGlyphAdvance * scale;
+    }
+}
+
+float text_width(std::string_view text, float scale) {
+    return (static_cast<float>(text.size()) * kGlyphAdvance - 1.0f) * scale;
 }
 
 int text_scale(int picture_height) {

@@ -49,6 +49,11 @@ void draw_triangle_outline(Image& image, const glm::vec2 (&corner)[3], float wid
 /// Dot text (ASCII); every dot is scale x scale pixels, a line is 7 of them high, a character 6 wide.
 void draw_text(Image& image, int x, int y, std::string_view text, const glm::vec3& color, int scale);
 
+/// The same letters with smooth strokes, for slides; `corner` is the upper left one of the first letter.
+void draw_large_text(Image& image, glm::vec2 corner, std::string_view text, const glm::vec3& color, float scale);
+/// How wide a line of text is, in pixels.
+[[nodiscard]] float text_width(std::string_view text, float scale);
+
 /// The scale at which a caption is readable from the last row: 2 for a picture of 360 lines.
 [[nodiscard]] int text_scale(int picture_height);
 

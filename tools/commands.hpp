@@ -10,6 +10,7 @@ namespace kreda::tools {
 void add_render_command(CLI::App& app);
 void add_plan_command(CLI::App& app);
 void add_explain_command(CLI::App& app);
+void add_stages_command(CLI::App& app);
 void add_keys_command(CLI::App& app);
 void add_gallery_command(CLI::App& app);
 void add_bench_command(CLI::App& app);

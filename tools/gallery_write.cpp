@@ -1,11 +1,10 @@
 #include <array>
 #include <filesystem>
-#include <fstream>
 
-#include "scene/error.hpp"
 #include "tools/gallery.hpp"
 #include "tools/gallery_style.hpp"
 #include "tools/markdown.hpp"
+#include "tools/write_file.hpp"
 
 namespace kreda::tools {
 
@@ -126,26 +125,13 @@ std::string page_html(const std::vector<GalleryExample>& examples, std::size_t i
     return html + "</main>\n" + page_end();
 }
 
-/// Under another name first: a browser never shows half a page.
-void write_file(const fs::path& path, const std::string& text) {
-    const fs::path temporary = path.string() + ".tmp";
-    std::ofstream file(temporary, std::ios::binary);
-    file << text;
-    file.close();
-    std::error_code failed;
-    if (file) fs::rename(temporary, path, failed);
-    if (file && !failed) return;
-    fs::remove(temporary, failed);
-    throw scene::UserError(scene::Place{path.string()}, "cannot be written");
-}
-
 }  // namespace
 
 void write_gallery(const std::vector<GalleryExample>& examples, const std::string& out, const std::string& docs) {
     for (std::size_t i = 0; i < examples.size(); ++i) {
-        write_file(fs::path(out) / examples[i].name / "index.html", page_html(examples, i, out, docs));
+        write_file((fs::path(out) / examples[i].name / "index.html").string(), page_html(examples, i, out, docs));
     }
-    write_file(fs::path(out) / "index.html", index_html(examples, out, docs));
+    write_file((fs::path(out) / "index.html").string(), index_html(examples, out, docs));
 }
 
 }  // namespace kreda::tools

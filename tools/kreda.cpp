@@ -24,6 +24,8 @@ Examples:
   kreda render scene.toml -o picture.png --samples 4
   kreda render scene.toml --set light.0.intensity=2 --set material.gold.shininess=64
   kreda plan scene.toml --why-not                 which passes the scene requires, and why
+  kreda stages scene.toml -o stages               every stage a picture; open stages/index.html
+  kreda explain scene.toml --pixel 320,180        every formula of one pixel with its numbers
   kreda keys                                      everything a scene file may say)";
 
 /// A complaint is one line, whatever is in the names that it quotes.
@@ -78,6 +80,7 @@ int main(int argc, char** argv) {
         kreda::tools::add_render_command(app);
         kreda::tools::add_plan_command(app);
         kreda::tools::add_explain_command(app);
+        kreda::tools::add_stages_command(app);
         kreda::tools::add_keys_command(app);
         kreda::tools::add_gallery_command(app);
         kreda::tools::add_bench_command(app);

@@ -1,6 +1,5 @@
 // kreda render: a scene file becomes a picture.
 #include <algorithm>
-#include <charconv>
 #include <filesystem>
 #include <iostream>
 #include <memory>
@@ -15,6 +14,7 @@
 #include "scene/render.hpp"
 #include "tools/commands.hpp"
 #include "tools/scene_options.hpp"
+#include "tools/slide.hpp"
 #include "tools/time_report.hpp"
 
 namespace kreda::tools {
@@ -34,24 +34,10 @@ struct RenderOptions {
     int threads = 0;     ///< 0: as many as there are cores
     int repeat = 1;
     bool time = false;
+    std::string slides;   ///< "dark" or "light"; empty: the picture alone
+    std::string title;    ///< of the slide; empty: the example's or the scene's name
+    std::string caption;  ///< of the slide; empty: the view, or what --set changed
 };
-
-/// "640x360" -> "[640,360]", what --set image.size wants.
-std::string size_value(const std::string& text) {
-    const auto whole = [](const std::string& digits) {
-        int number = 0;
-        const char* end = digits.data() + digits.size();
-        const auto [stop, error] = std::from_chars(digits.data(), end, number);
-        return error == std::errc() && stop == end ? number : 0;
-    };
-    const std::size_t x = text.find_first_of("xX");
-    const int width = x == std::string::npos ? 0 : whole(text.substr(0, x));
-    const int height = x == std::string::npos ? 0 : whole(text.substr(x + 1));
-    if (width < 1 || height < 1) {
-        throw UserError("--size " + text + ": expected WIDTHxHEIGHT in pixels, both at least 1, e.g. --size 640x360");
-    }
-    return "[" + std::to_string(width) + "," + std::to_string(height) + "]";
-}
 
 std::string output_path(const RenderOptions& options) {
     if (!options.output.empty()) return options.output;
@@ -128,17 +114,49 @@ void write_picture(const std::string& path, const raster::Image& film, const sce
     std::cerr << "wrote " << path << " (" << film.width << " x " << film.height << ")\n";
 }
 
+/// What stands on the slide: by default the view, else what the command line changed in the scene.
+SlideText slide_text(const RenderOptions& options, const scene::View* view) {
+    SlideText text{options.title.empty() ? title_of_scene(options.scene.file) : options.title, options.caption, ""};
+    if (view) text.remark = view->meaning;
+    if (!text.caption.empty()) return text;
+    if (view) text.caption = view->name;
+    for (const std::string& change : options.scene.read.overrides) text.caption += (text.caption.empty() ? "" : ", ") + change;
+    return text;
+}
+
+void write_slide(const std::string& path, const RenderOptions& options, const scene::View* view,
+                 const scene::RenderBuffers& buffers, const scene::Scene& scene) {
+    raster::FilmReport report;
+    const raster::Image picture = view ? picture_of(*view, buffers.views[0], scene).encoded
+                                       : develop(buffers.film, film_settings(scene.image), &report);
+    scene::write_png(path, make_slide(picture, slide_text(options, view), slide_ground(options.slides)));
+    warn_of_film(report, false);
+    std::cerr << "wrote " << path << " (a slide of " << kSlideWidth << " x " << kSlideHeight << ")\n";
+}
+
 scene::Scene load(const RenderOptions& options) {
     SceneOptions scene_options = options.scene;
     std::vector<std::string>& overrides = scene_options.read.overrides;
     if (!options.size.empty()) overrides.push_back("image.size=" + size_value(options.size));
     if (options.samples > 0) overrides.push_back("image.samples=" + std::to_string(options.samples));
-    return load_scene(scene_options);
+    scene::Scene scene = load_scene(scene_options);
+    if (!options.slides.empty()) fit_to_slide(scene.image);
+    return scene;
+}
+
+void check_slides(const RenderOptions& options, const std::string& path) {
+    if (options.slides.empty()) {
+        if (options.title.empty() && options.caption.empty()) return;
+        throw UserError("--title and --caption are written on slides: add --slides dark or --slides light");
+    }
+    static_cast<void>(slide_ground(options.slides));
+    if (is_exr(path)) throw UserError(Place{path}, "a slide is a .png; without --slides an .exr holds the numbers");
 }
 
 void render_command(const RenderOptions& options) {
     const std::string path = output_path(options);
     check_output(path);
+    check_slides(options, path);
     const scene::View* view = chosen_view(options.view);
     const scene::Scene scene = load(options);
     const scene::RenderPlan plan = view ? make_plan(scene, {view}) : make_plan(scene);
@@ -151,7 +169,8 @@ void render_command(const RenderOptions& options) {
     for (int i = 0; i < options.repeat; ++i) report.frames.push_back(render(scene, plan, buffers, options.threads));
     const std::uint64_t dropped = report.frames.back().triangles.non_finite;
     if (dropped > 0) warn(std::to_string(dropped) + " triangles were dropped: a corner is not a finite number");
-    if (view) write_view(path, *view, buffers.views[0], scene);
+    if (!options.slides.empty()) write_slide(path, options, view, buffers, scene);
+    else if (view) write_view(path, *view, buffers.views[0], scene);
     else write_picture(path, buffers.film, scene.image);
     if (!options.time) return;
     report.width = scene.image.width;
@@ -186,6 +205,7 @@ Examples:
   kreda render scene.toml -o picture.exr --size 1920x1080        linear float, before tone mapping
   kreda render scene.toml --set camera.position=[0,1,4] --samples 4
   kreda render scene.toml --view normal -o normal.png
+  kreda render scene.toml -o slide.png --slides dark             1920 x 1080 with title and caption
   kreda render --repeat 15 --time --threads 2                    how long a frame takes)";
 
 }  // namespace
@@ -204,6 +224,13 @@ void add_render_command(CLI::App& app) {
     command->add_option("--threads", options->threads, "Threads; by default one a core")
         ->type_name("N")
         ->check(CLI::Range(1, 256));
+    command->add_option("--slides", options->slides,
+                        "A slide of 1920 x 1080, dark or light: the picture in the shape of --size, as large as it fits")
+        ->type_name("GROUND");
+    command->add_option("--title", options->title, "Title of the slide; by default the example's or the scene's name")
+        ->type_name("TEXT");
+    command->add_option("--caption", options->caption, "Caption of the slide; by default the view, or what --set changed")
+        ->type_name("TEXT");
     command->add_flag("--time", options->time, "Print the time of each stage as one line of JSON");
     command->add_option("--repeat", options->repeat, "Draw N times; --time gives the median of each number")
         ->type_name("N")

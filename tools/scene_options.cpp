@@ -1,15 +1,20 @@
 #include "tools/scene_options.hpp"
 
+#include <charconv>
 #include <iostream>
+#include <system_error>
 
 #include <CLI/CLI.hpp>
 
+#include "scene/error.hpp"
 #include "tools/mesh_scene.hpp"
 
 namespace kreda::tools {
 
 void add_scene_options(CLI::App& command, SceneOptions& options) {
-    command.add_option("scene", options.file, "The scene file (TOML), or a mesh (OBJ) to look at; without it, a built-in teapot")
+    command
+        .add_option("scene", options.file,
+                    "The scene file (TOML), or a mesh (OBJ) to look at; without it, a built-in teapot")
         ->type_name("SCENE.toml|MESH.obj");
     command
         .add_option("--set", options.read.overrides,
@@ -28,7 +33,8 @@ scene::Scene load_scene(const SceneOptions& options) {
             return scene::read_scene_text(scene::built_in_scene_text(), "built-in scene", "", options.read);
         }
         if (is_mesh_file(options.file)) {
-            const std::string text = scene_around_mesh(options.file, {scene::Normals::file, options.read.allow_outside});
+            const std::string text =
+                scene_around_mesh(options.file, {scene::Normals::file, options.read.allow_outside});
             return scene::read_scene_text(text, "scene around " + options.file, "", options.read);
         }
         return scene::read_scene(options.file, options.read);
@@ -38,6 +44,25 @@ scene::Scene load_scene(const SceneOptions& options) {
     return scene;
 }
 
-void warn(const std::string& message) { std::cerr << "warning: " << message << "\n"; }
+std::string size_value(const std::string& text) {
+    const auto whole = [](const std::string& digits) {
+        int number = 0;
+        const char* end = digits.data() + digits.size();
+        const auto [stop, error] = std::from_chars(digits.data(), end, number);
+        return error == std::errc() && stop == end ? number : 0;
+    };
+    const std::size_t x = text.find_first_of("xX");
+    const int width = x == std::string::npos ? 0 : whole(text.substr(0, x));
+    const int height = x == std::string::npos ? 0 : whole(text.substr(x + 1));
+    if (width < 1 || height < 1) {
+        throw scene::UserError("--size " + text +
+                               ": expected WIDTHxHEIGHT in pixels, both at least 1, e.g. --size 640x360");
+    }
+    return "[" + std::to_string(width) + "," + std::to_string(height) + "]";
+}
+
+void warn(const std::string& message) {
+    std::cerr << "warning: " << message << "\n";
+}
 
 }  // namespace kreda::tools

@@ -1,0 +1,14 @@
+// Text files that appear whole or not at all.
+#pragma once
+
+#include <string>
+
+namespace kreda::tools {
+
+/// Under another name first, then renamed: a browser never shows half a page. Throws UserError.
+void write_file(const std::string& path, const std::string& text);
+
+/// The folder and those above it, if they are not there yet. Throws UserError.
+void make_folder(const std::string& path);
+
+}  // namespace kreda::tools
