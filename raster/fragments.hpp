@@ -62,6 +62,7 @@ struct Run {
 /// Attributes of the points of a batch, interpolated. Those that the plan does not ask for hold nothing.
 struct Fragments {
     int count = 0;
+    std::uint32_t sample[kChannelSize];  ///< its number in the picture, row by row from the top; only for what was found there
     Channel3 position;  ///< world space
     Channel3 normal;    ///< world space, as interpolated: not normalized
     Channel3 face_normal;  ///< world space, perpendicular to the triangle itself, on one side or the other; any length

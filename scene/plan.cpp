@@ -3,7 +3,9 @@
 #include <algorithm>
 
 #include "lighting/passes.hpp"
+#include "raster/platform.hpp"
 #include "scene/map_meshes.hpp"
+#include "scene/shadow_words.hpp"
 
 namespace kreda::scene {
 
@@ -64,7 +66,8 @@ raster::FragmentNeeds fragment_needs(const RenderPlan& plan) {
     raster::FragmentNeeds needs;
     needs.position = plan.frequency == ShadingFrequency::phong || plan.fog_at_pixels;
     needs.normal = plan.frequency == ShadingFrequency::phong;
-    needs.face_normal = plan.frequency == ShadingFrequency::phong && !plan.shadows.empty();
+    needs.face_normal = plan.frequency == ShadingFrequency::phong && !plan.shadows.empty() &&
+                        plan.shadows[0].map.settings.method == shadows::ShadowMethod::map;
     needs.color = plan.frequency == ShadingFrequency::gouraud;
     needs.fog = plan.fog_at_vertices;
     for (const View* view : plan.views) {
@@ -122,17 +125,8 @@ void plan_triangles(const Sizes& sizes, RenderPlan& plan) {
     }
 }
 
-void plan_shadow_maps(const Scene& scene, RenderPlan& plan) {
-    for (const PlannedShadow& shadow : plan.shadows) {
-        const std::uint64_t side = static_cast<std::uint64_t>(shadow.map.settings.size) + 2;
-        const std::uint64_t faces = shadow.map.views.size();
-        plan.passes.push_back({"shadow map of light " + std::to_string(shadow.light),
-                               "shadow = true: " + std::to_string(shadow.casters.size()) + " of " +
-                                   std::to_string(scene.objects.size()) + " objects can cast onto what is seen; " +
-                                   (faces == 1 ? "one picture" : "six pictures") + " of " + std::to_string(side - 2) +
-                                   " x " + std::to_string(side - 2) + " texels",
-                               {{"distances", faces * side * side * sizeof(float)}}});
-    }
+void plan_shadow_passes(const Scene& scene, RenderPlan& plan) {
+    for (const PlannedShadow& shadow : plan.shadows) plan.passes.push_back(pass_of(scene, shadow, plan.viewport));
 }
 
 void plan_tiles(const Scene& scene, RenderPlan& plan) {
@@ -243,6 +237,8 @@ RenderPlan make_plan(const Scene& scene, const std::vector<const View*>& views) 
     plan.fog_at_pixels = foggy && scene.fog.frequency == lighting::FogFrequency::pixel;
     ShadowPlan shadow_plan = plan_shadows(scene, plan.frequency == ShadingFrequency::phong);
     plan.shadows = std::move(shadow_plan.shadows);
+    plan.shadows_by_frame = !plan.shadows.empty() && is_frame_by_frame(scene.shadow.method);
+    KREDA_EXPECT(!plan.shadows_by_frame || plan.frequency == ShadingFrequency::phong);
     plan.shows_blockers = std::any_of(views.begin(), views.end(), [](const View* view) {
         return view->name == "blocker_distance" || view->name == "penumbra";
     });
@@ -253,16 +249,17 @@ RenderPlan make_plan(const Scene& scene, const std::vector<const View*>& views) 
     if (!scene.objects.empty()) {
         plan_maps(scene, plan);
         plan_vertices(scene, sizes, plan);
-        plan_shadow_maps(scene, plan);
+        if (!plan.shadows_by_frame) plan_shadow_passes(scene, plan);
         plan_triangles(sizes, plan);
+        if (plan.shadows_by_frame) plan_shadow_passes(scene, plan);
         plan_tiles(scene, plan);
     }
     plan_film(scene, sizes, plan);
     list_left_out(plan);
     if (plan.shadows.empty() && shadow_plan.why_not.empty()) {
-        plan.left_out.push_back({"shadow maps", "no light that is on has shadow = true"});
+        plan.left_out.push_back({"shadows", "no light that is on has shadow = true"});
     }
-    for (const std::string& why_not : shadow_plan.why_not) plan.left_out.push_back({"shadow map", why_not});
+    for (const std::string& why_not : shadow_plan.why_not) plan.left_out.push_back({"shadows", why_not});
     return plan;
 }
 

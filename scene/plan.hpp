@@ -45,6 +45,7 @@ struct RenderPlan {
     std::vector<lighting::MaterialSetup> materials;  ///< the scene's, made ready
     bool has_lights = false;     ///< one that is on
     std::vector<PlannedShadow> shadows;  ///< one for each light that casts shadows onto something seen
+    bool shadows_by_frame = false;       ///< they are found for all visible samples at once, before anything is lit
     bool shows_blockers = false;  ///< a view asks what blocks the light, and how wide the penumbra is
     bool fog_at_vertices = false;
     bool fog_at_pixels = false;

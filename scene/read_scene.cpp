@@ -13,6 +13,7 @@
 #include "scene/overrides.hpp"
 #include "scene/read_materials.hpp"
 #include "scene/read_objects.hpp"
+#include "scene/shadow_words.hpp"
 #include "scene/toml_check.hpp"
 
 namespace kreda::scene {
@@ -135,9 +136,20 @@ lighting::Light read_light(const Value& table) {
     return light;
 }
 
-shadows::ShadowSettings read_shadow(const Value& table) {
+/// Methods that know only the samples of the picture cannot answer at vertices or centroids.
+void check_method(const Value& table, shadows::ShadowMethod method, ShadingFrequency frequency) {
+    if (frequency == ShadingFrequency::phong || !is_frame_by_frame(method)) return;
+    const Value& value = *find(table, "method");
+    throw UserError(value.place, "shadow.method = " + in_quotes(value.text, '"') +
+                                     " finds shadows at the pixels, but shading.frequency lights " +
+                                     (frequency == ShadingFrequency::flat ? "triangles" : "vertices") +
+                                     " (expected \"map\" or \"exact\", or shading.frequency = \"phong\")");
+}
+
+shadows::ShadowSettings read_shadow(const Value& table, ShadingFrequency frequency) {
     shadows::ShadowSettings shadow;
     read_word(table, "method", shadow.method);
+    check_method(table, shadow.method, frequency);
     read(table, "size", shadow.size);
     read_word(table, "filter", shadow.filter);
     read(table, "radius", shadow.radius);
@@ -171,11 +183,12 @@ Scene build_scene(const Value& root, const std::string& name, const std::string&
     if (const Value* tables = find(root, "light")) {
         for (const Value& table : tables->items) scene.lights.push_back(read_light(table));
     }
-    if (const Value* table = find(root, "shadow")) scene.shadow = read_shadow(*table);
+    if (const Value* table = find(root, "shadow")) scene.shadow = read_shadow(*table, scene.shading.frequency);
     if (const Value* table = find(root, "fog")) scene.fog = read_fog(*table);
     if (const Value* tables = find(root, "material")) read_materials(*tables, folder, scene);
     read_objects(root, folder, options, scene);
     load_maps(scene);
+    for (const std::string& warning : shadow_warnings(scene)) scene.warnings.push_back(name + ": " + warning);
     return scene;
 }
 

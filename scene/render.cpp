@@ -6,6 +6,7 @@
 
 #include "scene/early_lighting.hpp"
 #include "scene/shadow_pass.hpp"
+#include "scene/frame_shadows.hpp"
 #include "scene/stopwatch.hpp"
 #include "scene/tile_pass.hpp"
 
@@ -161,9 +162,9 @@ RenderStatistics render(const Scene& scene, const RenderPlan& plan, RenderBuffer
     lay_out_vertices(buffers.instances, plan.vertex, buffers.streams);
     transform_vertices(buffers.instances, clip_from_world, plan.viewport, buffers.streams);
     lap("vertices");
-    if (!plan.shadows.empty()) {
+    if (!plan.shadows.empty() && !plan.shadows_by_frame) {
         prepare_shadows(frame);
-        lap("shadow maps");
+        lap(scene.shadow.method == shadows::ShadowMethod::map ? "shadow maps" : "shadow tree");
     }
     if (plan.vertex.color) {
         light_vertices(frame);
@@ -176,6 +177,10 @@ RenderStatistics render(const Scene& scene, const RenderPlan& plan, RenderBuffer
     statistics.triangles = setup_triangles(buffers.instances, clip_from_world, plan.viewport, plan.cull, plan.samples,
                                            buffers.streams, buffers.triangles);
     lap("triangles");
+    if (plan.shadows_by_frame) {
+        find_frame_shadows(frame, clip_from_world);
+        lap("shadows");
+    }
     if (plan.frequency == ShadingFrequency::flat) {
         light_triangles(frame);
         lap("light triangles");

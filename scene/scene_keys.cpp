@@ -82,7 +82,7 @@ std::vector<KeyInfo> make_keys() {
         {"shadow", "constant_bias", number, "0.0005", "share of the map's range of depth", kNotNegative, {}, ""},
         {"shadow", "slope_bias", number, "2.0", "slope, normal_offset: times the least that a flat surface needs",
          kNotNegative, {}, ""},
-        {"shadow", "cull", word, "\"none\"", "which side of a triangle casts nothing", kAny,
+        {"shadow", "cull", word, "\"none\"", "map: which side of a triangle casts nothing", kAny,
          {"none", "back", "front"}, ""},
 
         {"fog", "mode", word, "\"none\"", "how the surface fades with distance", kAny,
@@ -174,10 +174,6 @@ std::vector<KeyInfo> make_keys() {
 
 std::vector<Planned> make_planned() {
     return {
-        {"shadow", "method", "planar"},
-        {"shadow", "method", "volume"},
-        {"shadow", "method", "irregular"},
-        {"shadow", "method", "exact"},
         {"environment", "", ""},
         {"image", "background", "environment"},
     };

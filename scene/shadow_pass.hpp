@@ -2,10 +2,12 @@
 #pragma once
 
 #include <memory>
+#include <vector>
 
 #include "lighting/channels.hpp"
 #include "raster/fragments.hpp"
 #include "scene/frame.hpp"
+#include "shadows/exact.hpp"
 #include "shadows/shadow_map.hpp"
 
 namespace kreda::scene {
@@ -14,9 +16,12 @@ namespace kreda::scene {
 struct ShadowMemory {
     shadows::ShadowMapBuffers drawing;
     shadows::ShadowMap map;
+    shadows::ExactShadow exact;
+    std::vector<float> factor;  ///< of every sample of the picture, by methods that find all at once
 };
 
-/// Before anything is shaded: draw the map of every light that the plan gives one.
+/// Before anything is shaded, for methods that answer point by point: draw the map, or build the tree, of every light that
+/// the plan lets cast shadows. Those that answer for a whole frame have scene/frame_shadows.hpp.
 void prepare_shadows(const Frame& frame);
 
 /// channels.shadow at every point for the light of that number, counted among those that are on. False (and nothing is

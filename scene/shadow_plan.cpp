@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <numeric>
 
 #include <glm/geometric.hpp>
 
@@ -144,6 +145,18 @@ bool fit_around(const shadows::ShadowSettings& settings, const std::vector<const
     return true;
 }
 
+/// The flat objects, of which one sees something.
+std::vector<ShadowReceiver> find_receivers(const std::vector<ObjectExtent>& extents) {
+    std::vector<ShadowReceiver> receivers;
+    for (const ObjectExtent& extent : extents) {
+        std::vector<std::uint32_t> indices(extent.points.size());
+        std::iota(indices.begin(), indices.end(), 0u);
+        const std::optional<glm::dvec4> plane = shadows::plane_of({extent.points, indices, false});
+        if (plane && !extent.seen.empty()) receivers.push_back({extent.object, *plane});
+    }
+    return receivers;
+}
+
 std::string name_of(const lighting::Light& light, std::size_t index) {
     const char* kind = light.type == lighting::LightType::directional ? "directional"
                        : light.type == lighting::LightType::point     ? "point"
@@ -177,6 +190,7 @@ ShadowPlan plan_shadows(const Scene& scene, bool only_visible) {
             plan.why_not.push_back(name_of(light, i) + " has shadow = true, but nothing can cast onto what is seen");
             continue;
         }
+        if (scene.shadow.method == shadows::ShadowMethod::planar) shadow.receivers = find_receivers(extents);
         for (const ObjectExtent* caster : casters) shadow.casters.push_back(caster->object);
         plan.shadows.push_back(std::move(shadow));
     }

@@ -5,9 +5,16 @@
 #include <vector>
 
 #include "scene/scene.hpp"
+#include "shadows/planar.hpp"
 #include "shadows/shadow_map.hpp"
 
 namespace kreda::scene {
+
+/// A flat object, onto which method = "planar" casts shadows.
+struct ShadowReceiver {
+    int object = 0;            ///< index into scene.objects
+    glm::dvec4 plane{0.0};     ///< shadows/planar.hpp
+};
 
 /// One light's shadows.
 struct PlannedShadow {
@@ -15,7 +22,8 @@ struct PlannedShadow {
     int light_that_is_on = 0;  ///< the same, counting only those that are on
     shadows::ShadowLight source;
     std::vector<int> casters;    ///< indices into scene.objects
-    shadows::ShadowMapPlan map;  ///< method = "map"
+    shadows::ShadowMapPlan map;  ///< for method = "map"; its settings are those of any method
+    std::vector<ShadowReceiver> receivers;  ///< method = "planar"
 };
 
 /// What a scene's lights cast, and for each light that casts nothing, why not.

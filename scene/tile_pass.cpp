@@ -63,6 +63,16 @@ KREDA_BATCH_LOOP void paint_flat_runs(const RenderBuffers& buffers, const Run* r
     }
 }
 
+/// Which samples of the picture the points are: what was found for all of them beforehand is looked up by number.
+void number_samples(const RenderPlan& plan, const TileArea& area, const Run* runs, int count,
+                    raster::Fragments& fragments) {
+    int point = 0;
+    for (int r = 0; r < count; ++r) {
+        const int first = (area.y + runs[r].y) * plan.viewport.width + area.x + runs[r].x;
+        for (int i = 0; i < runs[r].count; ++i) fragments.sample[point++] = static_cast<std::uint32_t>(first + i);
+    }
+}
+
 /// The radiance of every point of the batch, fog included.
 void shade_batch(const Frame& frame, std::uint32_t material, TileScratch& scratch) {
     if (frame.plan.frequency == ShadingFrequency::phong) {
@@ -187,6 +197,7 @@ void work_batch(const Frame& frame, const TileArea& area, const Run* runs, int c
         fill_flat_color(frame.buffers, runs, count, scratch.fragments);
     }
     scratch.interpolation_ms += watch.lap_ms();
+    if (frame.plan.shadows_by_frame) number_samples(frame.plan, area, runs, count, scratch.fragments);
     shade_batch(frame, runs[0].material, scratch);
     scatter_runs(scratch.lighting.radiance, runs, count, scratch.color);
     write_views(frame, runs, count, scratch);

@@ -30,6 +30,11 @@ struct Occluder {
 };
 
 enum class ShadowMethod { map, planar, volume, irregular, exact };
+/// Does the method answer for all visible samples of a frame at once, instead of point by point? See below.
+inline bool is_frame_by_frame(ShadowMethod method) {
+    return method == ShadowMethod::planar || method == ShadowMethod::volume || method == ShadowMethod::irregular;
+}
+
 enum class ShadowFilter { none, pcf, pcss };
 enum class ShadowBias { none, constant, slope, normal_offset };
 enum class CasterCull { none, back, front };

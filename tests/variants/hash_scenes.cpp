@@ -145,6 +145,14 @@ std::vector<NamedScene> make_scenes() {
         s.shading.frequency = static_cast<scene::ShadingFrequency>(i < 6 ? 2 : i % 3);
         scenes.push_back({"shadow map " + std::to_string(i), s});
     }
+    for (int method = 1; method < 5; ++method) {
+        scene::Scene s = base_scene(ReflectionModel::phong);
+        for (lighting::Light& light : s.lights) light.shadow = true;
+        s.shadow.method = static_cast<shadows::ShadowMethod>(method);
+        if (s.shadow.method == shadows::ShadowMethod::planar) s.objects[2] = object_of("plane", 4, {0.0f, -0.9f, 0.0f}, 1);
+        s.image.samples = 1 + method % 2;
+        scenes.push_back({"shadow method " + std::to_string(method), s});
+    }
     return scenes;
 }
 
