@@ -151,7 +151,6 @@ TEST_CASE("What is planned but not built says so") {
         CHECK(has(complaint(table + key), end));
     }
     CHECK(complaint("[[light]]\n[environment]\nsky = 'studio'\n") == "s.toml:2:2: 'environment'" + end);
-    CHECK(complaint("[shadow]\nmethod = 'planar'\n") == "s.toml:2:10: method = \"planar\"" + end);
     CHECK(complaint("[[light]]\nshadow = true\n[shadow]\nmethod = 'map'\n") == "no complaint");
     CHECK(complaint("[image]\nbackground = 'environment'\n") == "s.toml:2:14: background = \"environment\"" + end);
 }
