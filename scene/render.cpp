@@ -4,6 +4,7 @@
 #include <omp.h>
 #endif
 
+#include "scene/debug_pixel.hpp"
 #include "scene/early_lighting.hpp"
 #include "scene/shadow_pass.hpp"
 #include "scene/frame_shadows.hpp"
@@ -105,12 +106,25 @@ void prepare_pictures(const Scene& scene, const RenderPlan& plan, RenderBuffers&
     }
 }
 
+/// The tile with the pixel that a debugger wants to see is drawn first, so that nobody waits for the others; -1: there is none.
+int tile_to_debug(const Frame& frame) {
+    if (debug_pixel.x < 0) return -1;
+    const raster::TileGrid& grid = frame.buffers.triangles.grid;
+    for (int t = 0; t < grid.columns * grid.rows; ++t) {
+        if (sample_to_debug(tile_area(grid, frame.plan.viewport, t), frame.plan.samples).x >= 0) return t;
+    }
+    return -1;
+}
+
 void render_tiles(const Frame& frame) {
     const int tile_count = frame.buffers.triangles.grid.columns * frame.buffers.triangles.grid.rows;
     const std::vector<int>& order = frame.buffers.tile_order;
+    const int first = tile_to_debug(frame);
+    if (first >= 0) render_tile(frame, first, *frame.buffers.scratch[0]);
 #pragma omp parallel for schedule(dynamic)
     for (int t = 0; t < tile_count; ++t) {
         const int tile = order.empty() ? t : order[static_cast<std::size_t>(t)];
+        if (tile == first) continue;
         render_tile(frame, tile, *frame.buffers.scratch[static_cast<std::size_t>(thread_number())]);
     }
 }
@@ -144,6 +158,7 @@ RenderStatistics render(const Scene& scene, const RenderPlan& plan, RenderBuffer
 
 RenderStatistics render(const Scene& scene, const RenderPlan& plan, RenderBuffers& buffers, int threads,
                         const std::function<void(const Frame&)>& look) {
+    picture_begins(scene.image.width, scene.image.height);
     const ThreadLimit limit(threads);
     RenderStatistics statistics;
     Stopwatch total;

@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "raster/platform.hpp"
+#include "scene/debug_pixel.hpp"
 #include "scene/shade.hpp"
 #include "scene/stopwatch.hpp"
 
@@ -169,18 +170,34 @@ int samples_of(const Run* runs, int count) {
     return samples;
 }
 
-/// Shade all runs of the tile, batch by batch.
-void shade_runs(const Frame& frame, const TileArea& area, int run_count, TileScratch& scratch) {
-    if (frame.plan.frequency == ShadingFrequency::flat && !frame.plan.fragment.any() && frame.plan.views.empty()) {
-        return paint_flat_runs(frame.buffers, scratch.runs, run_count, scratch.color);
-    }
-    group_by_material(scratch.runs, run_count);
+/// Flat shading in clear air has nothing left to compute at a pixel.
+bool only_painting_left(const RenderPlan& plan) {
+    return plan.frequency == ShadingFrequency::flat && !plan.fragment.any() && plan.views.empty();
+}
+
+/// Shade runs that are grouped by material, batch by batch.
+void shade_batches(const Frame& frame, const TileArea& area, const Run* runs, int run_count, TileScratch& scratch) {
+    if (only_painting_left(frame.plan)) return paint_flat_runs(frame.buffers, runs, run_count, scratch.color);
     for (int done = 0; done < run_count;) {
-        const Run* runs = scratch.runs + done;
-        const int count = runs_of_one_batch(runs, run_count - done);
-        work_batch(frame, area, runs, count, scratch);
+        const int count = runs_of_one_batch(runs + done, run_count - done);
+        work_batch(frame, area, runs + done, count, scratch);
         done += count;
     }
+}
+
+/// Shade all runs of the tile; the sample that a debugger wants to see in a batch of its own.
+void shade_runs(const Frame& frame, const TileArea& area, int run_count, TileScratch& scratch) {
+    Run* runs = scratch.runs;
+    if (!only_painting_left(frame.plan)) group_by_material(runs, run_count);
+    const glm::ivec2 wanted = sample_to_debug(area, frame.plan.samples);
+    if (wanted.x < 0) return shade_batches(frame, area, runs, run_count, scratch);
+
+    const int debugged = cut_out_sample(runs, run_count, wanted);
+    shade_batches(frame, area, runs, debugged, scratch);
+    if (debugged == run_count) return pixel_not_covered(debug_pixel.x, debug_pixel.y);
+    pixel_reached(debug_pixel.x, debug_pixel.y);
+    shade_batches(frame, area, runs + debugged, 1, scratch);
+    shade_batches(frame, area, runs + debugged + 1, run_count - debugged - 1, scratch);
 }
 
 }  // namespace
