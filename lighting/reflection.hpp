@@ -48,13 +48,13 @@ inline glm::vec3 half_vector(const glm::vec3& l, const glm::vec3& v) {
 }
 
 /// Phong's measure of reflection   Sigma = max(v.r, 0) = max(cos rho, 0)                  Phong 1975
-inline float sigma_phong(const glm::vec3& n, const glm::vec3& l, const glm::vec3& v) {
-    return positive_dot(v, mirror_vector(n, l));
+inline float sigma_phong(const glm::vec3& v, const glm::vec3& r) {
+    return positive_dot(v, r);
 }
 
 /// Blinn's measure of reflection   Sigma = max(n.h, 0) = max(cos theta, 0)                Blinn 1977
-inline float sigma_blinn(const glm::vec3& n, const glm::vec3& l, const glm::vec3& v) {
-    return positive_dot(n, half_vector(l, v));
+inline float sigma_blinn(const glm::vec3& n, const glm::vec3& h) {
+    return positive_dot(n, h);
 }
 
 /// The exponent that gives Blinn's highlight the width of Phong's. theta is half of rho where n, l, v lie in one plane, and
@@ -65,7 +65,8 @@ inline float blinn_exponent_matching_phong(float shininess) {
 
 /// Lambert's law   m_D max(l.n, 0)
 inline ReflectedTerms lambert(const glm::vec3& n, const glm::vec3& l, const PhongMaterial& m) {
-    return {m.diffuse * positive_dot(n, l), glm::vec3(0.0f)};
+    const float n_dot_l = positive_dot(n, l);
+    return {m.diffuse * n_dot_l, glm::vec3(0.0f)};
 }
 
 /// A surface that faces away from the light reflects nothing of it: 1 where n.l > 0, else 0.
@@ -75,16 +76,18 @@ inline float faces_light(const glm::vec3& n, const glm::vec3& l) {
 
 /// Phong's model of one light, mirror vector:   m_D (l.n),   m_S (v.r)^h
 inline ReflectedTerms phong(const glm::vec3& n, const glm::vec3& l, const glm::vec3& v, const PhongMaterial& m) {
+    const glm::vec3 r = mirror_vector(n, l);
     const float n_dot_l = positive_dot(n, l);
-    const float sigma = sigma_phong(n, l, v);
+    const float sigma = sigma_phong(v, r);
     const float highlight = raster::pow(sigma, m.shininess) * faces_light(n, l);
     return {m.diffuse * n_dot_l, m.specular * highlight};
 }
 
 /// Blinn-Phong model of one light, half vector:   m_D (l.n),   m_S (n.h)^h
 inline ReflectedTerms blinn_phong(const glm::vec3& n, const glm::vec3& l, const glm::vec3& v, const PhongMaterial& m) {
+    const glm::vec3 h = half_vector(l, v);
     const float n_dot_l = positive_dot(n, l);
-    const float sigma = sigma_blinn(n, l, v);
+    const float sigma = sigma_blinn(n, h);
     const float highlight = raster::pow(sigma, m.shininess) * faces_light(n, l);
     return {m.diffuse * n_dot_l, m.specular * highlight};
 }

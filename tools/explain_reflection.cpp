@@ -47,7 +47,7 @@ ExplainedTerms explain_phong(const Directions& d, const PhongMaterial& m, Sectio
     section.equation("r", "2 (n·l) n - l",
                      "2·" + factor_text(glm::dot(d.n, d.l)) + "·" + vector_text(d.n) + " - " + vector_text(d.l), r,
                      "l mirrored in n");
-    const float sigma = lighting::sigma_phong(d.n, d.l, d.v);
+    const float sigma = lighting::sigma_phong(d.v, r);
     section.equation("Σ", "max(v·r, 0)", positive_text(d.v, r), sigma);
     explain_highlight(d, m, sigma, terms.specular, section);
     return {terms.diffuse, terms.specular};
@@ -59,7 +59,7 @@ ExplainedTerms explain_blinn(const Directions& d, const PhongMaterial& m, Sectio
     const glm::vec3 h = lighting::half_vector(d.l, d.v);
     section.equation("h", "(l + v) / |l + v|", vector_text(d.l + d.v) + " / " + number_text(glm::length(d.l + d.v)), h,
                      "half way between light and viewer");
-    const float sigma = lighting::sigma_blinn(d.n, d.l, d.v);
+    const float sigma = lighting::sigma_blinn(d.n, h);
     section.equation("Σ", "max(n·h, 0)", positive_text(d.n, h), sigma);
     explain_highlight(d, m, sigma, terms.specular, section);
     return {terms.diffuse, terms.specular};
