@@ -1,6 +1,6 @@
-// 17_textures: a ground that runs to the horizon, read from its texture nearest, bilinear and from mip maps; and close
-// up. Page docs/17_textures.md | After 16_antialiasing | New: Texture, sample_level(), level_of_detail() Break at:
-// sample_trilinear | Look at: level, fine, of_fine, of_coarse | Try: kTiles 10 and 200, texture_filter
+// 17_textures: a ground that runs to the horizon, read nearest, bilinear and from mip maps; and close up.
+// Page docs/17_textures.md | After 16_antialiasing | New: Texture, sample_level(), level_of_detail()
+// Break at: sample_trilinear | Look at: level, fine, of_fine, of_coarse | Try: kTiles 10 and 200, texture_filter
 #include <array>
 #include <cmath>
 #include <memory>

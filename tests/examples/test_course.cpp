@@ -117,6 +117,18 @@ TEST_CASE("course: every example has its header card and fits a screen or two") 
     }
 }
 
+TEST_CASE("course: every page steps through the function that its header card names") {
+    for (const std::string& name : example_names()) {
+        CAPTURE(name);
+        const std::string card = lines_of(repository_text("examples/" + name + "/main.cpp")).at(2);
+        const std::string function = card.substr(13, card.find(' ', 13) - 13);  // behind "// Break at: "
+        const std::string page = repository_text("docs/" + name + ".md");
+        const std::size_t session = page.find("\n```gdb\n");
+        REQUIRE(session != std::string::npos);
+        CHECK(page.find("break " + function, session) != std::string::npos);  // CTest "debugger: NN_name" replays it
+    }
+}
+
 TEST_CASE("course: every picture on a page exists and every golden image is small") {
     const std::regex picture(R"(\]\(\.\./(tests/golden/[^)]+)\))");
     for (const std::string& name : example_names()) {
