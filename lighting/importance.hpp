@@ -1,0 +1,91 @@
+// Directions chosen where they matter: evenly spread numbers, and the lobes they are turned into.
+// In the frame of a surface n = (0, 0, 1). No C library inside: the same directions on every machine.
+#pragma once
+
+#include <cmath>
+#include <cstdint>
+
+#include <glm/geometric.hpp>
+#include <glm/vec2.hpp>
+#include <glm/vec3.hpp>
+
+#include "raster/trigonometry.hpp"
+
+namespace kreda::lighting {
+
+/// The bits of i mirrored at the binary point, in [0, 1): 1 -> 1/2, 2 -> 1/4, 3 -> 3/4.               van der Corput 1935
+inline float radical_inverse(std::uint32_t i) {
+    i = (i << 16) | (i >> 16);
+    i = ((i & 0x55555555u) << 1) | ((i & 0xaaaaaaaau) >> 1);
+    i = ((i & 0x33333333u) << 2) | ((i & 0xccccccccu) >> 2);
+    i = ((i & 0x0f0f0f0fu) << 4) | ((i & 0xf0f0f0f0u) >> 4);
+    i = ((i & 0x00ff00ffu) << 8) | ((i & 0xff00ff00u) >> 8);
+    return static_cast<float>(i >> 8) * 5.9604644775390625e-8f;  // 24 bits, 2^-24: always below 1
+}
+
+/// Point i of n spread evenly over the unit square   ((i + 1/2) / n, radical inverse + 1 / 2n)         Hammersley 1960
+/// The shift by half a step keeps every point off the square's border.
+inline glm::vec2 hammersley(int i, int n) {
+    const float step = 1.0f / static_cast<float>(n);
+    const float second = radical_inverse(static_cast<std::uint32_t>(i)) + 0.5f * step;
+    return {(static_cast<float>(i) + 0.5f) * step, second < 1.0f ? second : 0.99999994f};
+}
+
+/// Two directions that make a right-handed frame with n, without a branch.                            Duff et al. 2017
+struct Frame {
+    glm::vec3 t, b, n;
+};
+
+inline Frame frame_around(const glm::vec3& n) {
+    const float sign = n.z < 0.0f ? -1.0f : 1.0f;
+    const float a = -1.0f / (sign + n.z);
+    const float b = n.x * n.y * a;
+    return {{1.0f + sign * n.x * n.x * a, sign * b, -sign * n.x}, {b, sign + n.y * n.y * a, -n.y}, n};
+}
+
+inline glm::vec3 to_world(const Frame& frame, const glm::vec3& d) {
+    return frame.t * d.x + frame.b * d.y + frame.n * d.z;
+}
+
+inline glm::vec3 to_surface(const Frame& frame, const glm::vec3& d) {
+    return {glm::dot(frame.t, d), glm::dot(frame.b, d), glm::dot(frame.n, d)};
+}
+
+/// The direction with this cosine to n, `turns` around it.
+inline glm::vec3 around_normal(float cosine, float turns) {
+    const raster::SinCos phi = raster::sin_cos_of_turns(turns);
+    const float sin2 = (1.0f - cosine) * (1.0f + cosine);
+    const float sine = std::sqrt(sin2 > 0.0f ? sin2 : 0.0f);
+    return {sine * phi.cos, sine * phi.sin, cosine};
+}
+
+/// A direction l with density  n.l / pi.
+inline glm::vec3 cosine_direction(const glm::vec2& u) {
+    return around_normal(std::sqrt(1.0f - u.y), u.x);
+}
+
+/// A half vector with density  D (n.h)  of GGX.                                          Walter et al. 2007 eq. (35), (36)
+inline glm::vec3 ggx_half_vector(const glm::vec2& u, float alpha) {
+    const float cos2 = (1.0f - u.y) / (1.0f + (alpha * alpha - 1.0f) * u.y);
+    return around_normal(std::sqrt(cos2), u.x);
+}
+
+/// A half vector with the density of those facets of GGX that v sees   D_v = G_1(v) (v.h) D / (n.v).   v in the surface's
+/// frame, v.z > 0. Stretch v, take an even point of the spherical cap that it sees, squeeze back.     Dupuy & Benyoub 2023
+inline glm::vec3 visible_half_vector(const glm::vec2& u, const glm::vec3& v, float alpha) {
+    const glm::vec3 s = glm::normalize(glm::vec3(alpha * v.x, alpha * v.y, v.z));
+    const float z = (1.0f - u.y) * (1.0f + s.z) - s.z;
+    const float sin2 = (1.0f - z) * (1.0f + z);
+    const float radius = std::sqrt(sin2 > 0.0f ? sin2 : 0.0f);
+    const raster::SinCos phi = raster::sin_cos_of_turns(u.x);
+    const glm::vec3 m{alpha * (radius * phi.cos + s.x), alpha * (radius * phi.sin + s.y), z + s.z};
+    const float length2 = glm::dot(m, m);
+    return m * (1.0f / std::sqrt(length2 > 1e-30f ? length2 : 1e-30f));
+}
+
+/// v mirrored in h.
+inline glm::vec3 mirrored(const glm::vec3& v, const glm::vec3& h) {
+    return (2.0f * glm::dot(v, h)) * h - v;
+}
+
+}  // namespace kreda::lighting
