@@ -69,6 +69,13 @@ KREDA_BATCH_LOOP void find_schlick_ggx(int lanes, MicrofacetChannels& m) {
     }
 }
 
+KREDA_BATCH_LOOP void find_schlick_ggx_of_image(int lanes, MicrofacetChannels& m) {
+    for (int i = 0; i < lanes; ++i) {
+        const float k = schlick_k_image(m.alpha.at(i));
+        m.V.set(i, schlick_ggx_visibility(m.n_dot_l.at(i), m.n_dot_v.at(i), k));
+    }
+}
+
 KREDA_BATCH_LOOP void find_smith(int lanes, MicrofacetChannels& m) {
     for (int i = 0; i < lanes; ++i) m.V.set(i, smith_visibility(m.n_dot_l.at(i), m.n_dot_v.at(i), m.alpha.at(i)));
 }
@@ -89,9 +96,10 @@ KREDA_BATCH_LOOP void find_grooves(int lanes, MicrofacetChannels& m) {
     }
 }
 
-void find_visibility(int lanes, Geometry geometry, MicrofacetChannels& m) {
+void find_visibility(int lanes, Geometry geometry, LightKind kind, MicrofacetChannels& m) {
     switch (geometry) {
-        case Geometry::schlick_ggx: return find_schlick_ggx(lanes, m);
+        case Geometry::schlick_ggx:
+            return kind == LightKind::lamp ? find_schlick_ggx(lanes, m) : find_schlick_ggx_of_image(lanes, m);
         case Geometry::smith: return find_smith(lanes, m);
         case Geometry::smith_correlated: return find_smith_correlated(lanes, m);
         case Geometry::implicit: return find_implicit(lanes, m);
@@ -246,12 +254,21 @@ void fill_surface(int count, const CookTorranceSetup& setup, MicrofacetChannels&
     fill_constants(lanes_for(count), setup.surface, channels);
 }
 
-void add_cook_torrance(int count, const CookTorranceSetup& setup, LightingChannels& channels) {
+void evaluate_microfacets(int count, const CookTorranceSetup& setup, LightKind kind, LightingChannels& channels) {
     const int lanes = lanes_for(count);
     find_angles(lanes, channels);
     find_distribution(lanes, setup.distribution, channels.microfacet);
-    find_visibility(lanes, setup.geometry, channels.microfacet);
+    find_visibility(lanes, setup.geometry, kind, channels.microfacet);
     find_fresnel(lanes, setup, channels.microfacet);
+}
+
+void evaluate_fresnel(int count, const CookTorranceSetup& setup, MicrofacetChannels& channels) {
+    find_fresnel(lanes_for(count), setup, channels);
+}
+
+void add_cook_torrance(int count, const CookTorranceSetup& setup, LightingChannels& channels) {
+    const int lanes = lanes_for(count);
+    evaluate_microfacets(count, setup, LightKind::lamp, channels);
     add_light(lanes, channels);
     if (setup.energy_compensation == EnergyCompensation::kulla_conty) add_compensation(lanes, setup, channels);
 }
