@@ -78,6 +78,7 @@ struct MaterialMaps {
     NormalMapY normal_y = NormalMapY::up;  ///< where green points: up (OpenGL) or down (DirectX)
     TextureFilter filter = TextureFilter::trilinear;
     TextureWrap wrap = TextureWrap::repeat;
+    glm::vec2 scale{1.0f};  ///< how often the pictures are laid over 0..1 of u and v, > 0
 };
 
 struct Material {

@@ -11,6 +11,7 @@ struct Places {
     const float* u;
     const float* v;
     const float* level;
+    glm::vec2 scale;
 };
 
 // `texels` and `out` are parameters of their own because only `__restrict` tells the compiler that what is written does
@@ -21,7 +22,7 @@ KREDA_BATCH_LOOP void nearest_channel(const Places& places, int lanes, const Tex
     const Places p = places;
     TextureView t = view;
     t.texels = texels;
-    for (int i = 0; i < lanes; ++i) out[i] = sample_nearest(t, p.u[i], p.v[i], channel);
+    for (int i = 0; i < lanes; ++i) out[i] = sample_nearest(t, p.u[i] * p.scale.x, p.v[i] * p.scale.y, channel);
 }
 
 KREDA_BATCH_LOOP void bilinear_channel(const Places& places, int lanes, const TextureView& view,
@@ -29,7 +30,7 @@ KREDA_BATCH_LOOP void bilinear_channel(const Places& places, int lanes, const Te
     const Places p = places;
     TextureView t = view;
     t.texels = texels;
-    for (int i = 0; i < lanes; ++i) out[i] = sample_bilinear(t, p.u[i], p.v[i], channel);
+    for (int i = 0; i < lanes; ++i) out[i] = sample_bilinear(t, p.u[i] * p.scale.x, p.v[i] * p.scale.y, channel);
 }
 
 KREDA_BATCH_LOOP void trilinear_channel(const Places& places, int lanes, const TextureView& view,
@@ -37,22 +38,27 @@ KREDA_BATCH_LOOP void trilinear_channel(const Places& places, int lanes, const T
     const Places p = places;
     TextureView t = view;
     t.texels = texels;
-    for (int i = 0; i < lanes; ++i) out[i] = sample_trilinear(t, p.u[i], p.v[i], p.level[i], channel);
+    for (int i = 0; i < lanes; ++i)
+        out[i] = sample_trilinear(t, p.u[i] * p.scale.x, p.v[i] * p.scale.y, p.level[i], channel);
 }
 
-KREDA_BATCH_LOOP void levels(const Fragments& f, int lanes, int width, int height, float* __restrict level) {
+KREDA_BATCH_LOOP void levels(const Fragments& f, int lanes, const glm::vec2& texture_scale, int width, int height,
+                             float* __restrict level) {
+    const glm::vec2 scale = texture_scale;
     const int w = width;
     const int h = height;
     for (int i = 0; i < lanes; ++i) {
-        level[i] = level_of_detail({f.du_dx.at(i), f.dv_dx.at(i)}, {f.du_dy.at(i), f.dv_dy.at(i)}, w, h);
+        const glm::vec2 step_x(f.du_dx.at(i) * scale.x, f.dv_dx.at(i) * scale.y);
+        const glm::vec2 step_y(f.du_dy.at(i) * scale.x, f.dv_dy.at(i) * scale.y);
+        level[i] = level_of_detail(step_x, step_y, w, h);
     }
 }
 
-void sample_channel(const Fragments& fragments, const Channel& level, const TextureView& view, TextureFilter filter,
-                    int channel, float* out) {
-    const Places places{fragments.u.value, fragments.v.value, level.value};
+void sample_channel(const Fragments& fragments, const Channel& level, const TextureView& view,
+                    const TextureLookup& lookup, int channel, float* out) {
+    const Places places{fragments.u.value, fragments.v.value, level.value, lookup.scale};
     const int lanes = lanes_for(fragments.count);
-    switch (filter) {
+    switch (lookup.filter) {
         case TextureFilter::nearest:
             return nearest_channel(places, lanes, view, view.texels, channel, out);
         case TextureFilter::bilinear:
@@ -64,23 +70,23 @@ void sample_channel(const Fragments& fragments, const Channel& level, const Text
 
 }  // namespace
 
-void find_levels(const Fragments& fragments, const Texture& texture, Channel& level) {
-    levels(fragments, lanes_for(fragments.count), texture.width, texture.height, level.value);
+void find_levels(const Fragments& fragments, const Texture& texture, const TextureLookup& lookup, Channel& level) {
+    levels(fragments, lanes_for(fragments.count), lookup.scale, texture.width, texture.height, level.value);
 }
 
-void sample_color(const Fragments& fragments, const Channel& level, const Texture& texture, TextureFilter filter,
-                  TextureWrap wrap, Channel3& out) {
+void sample_color(const Fragments& fragments, const Channel& level, const Texture& texture, const TextureLookup& lookup,
+                  Channel3& out) {
     KREDA_EXPECT(texture.channels == 3);
-    const TextureView view = view_of(texture, wrap);
-    sample_channel(fragments, level, view, filter, 0, out.x);
-    sample_channel(fragments, level, view, filter, 1, out.y);
-    sample_channel(fragments, level, view, filter, 2, out.z);
+    const TextureView view = view_of(texture, lookup.wrap);
+    sample_channel(fragments, level, view, lookup, 0, out.x);
+    sample_channel(fragments, level, view, lookup, 1, out.y);
+    sample_channel(fragments, level, view, lookup, 2, out.z);
 }
 
-void sample_value(const Fragments& fragments, const Channel& level, const Texture& texture, TextureFilter filter,
-                  TextureWrap wrap, Channel& out) {
+void sample_value(const Fragments& fragments, const Channel& level, const Texture& texture, const TextureLookup& lookup,
+                  Channel& out) {
     KREDA_EXPECT(texture.channels == 1);
-    sample_channel(fragments, level, view_of(texture, wrap), filter, 0, out.value);
+    sample_channel(fragments, level, view_of(texture, lookup.wrap), lookup, 0, out.value);
 }
 
 }  // namespace kreda::raster

@@ -6,15 +6,22 @@
 
 namespace kreda::raster {
 
+/// How a texture lies on a surface and is read.
+struct TextureLookup {
+    TextureFilter filter = TextureFilter::trilinear;
+    TextureWrap wrap = TextureWrap::repeat;
+    glm::vec2 scale{1.0f};  ///< multiplies u and v: how often the picture is laid over the unit square
+};
+
 /// Level of detail of every point from the steps of its uv: what `trilinear` reads.
-void find_levels(const Fragments& fragments, const Texture& texture, Channel& level);
+void find_levels(const Fragments& fragments, const Texture& texture, const TextureLookup& lookup, Channel& level);
 
 /// A texture of 3 channels at every point's (u, v). `level` counts for trilinear alone.
-void sample_color(const Fragments& fragments, const Channel& level, const Texture& texture, TextureFilter filter,
-                  TextureWrap wrap, Channel3& out);
+void sample_color(const Fragments& fragments, const Channel& level, const Texture& texture, const TextureLookup& lookup,
+                  Channel3& out);
 
 /// A texture of 1 channel.
-void sample_value(const Fragments& fragments, const Channel& level, const Texture& texture, TextureFilter filter,
-                  TextureWrap wrap, Channel& out);
+void sample_value(const Fragments& fragments, const Channel& level, const Texture& texture, const TextureLookup& lookup,
+                  Channel& out);
 
 }  // namespace kreda::raster

@@ -79,6 +79,9 @@ void read_maps(const Value& table, const std::string& folder, lighting::Material
     read_word(table, "normal_map_y", material.maps.normal_y);
     read_word(table, "texture_filter", material.maps.filter);
     read_word(table, "texture_wrap", material.maps.wrap);
+    if (const Value* scale = find(table, "texture_scale")) {
+        material.maps.scale = {static_cast<float>(scale->items[0].number), static_cast<float>(scale->items[1].number)};
+    }
 }
 
 }  // namespace kreda::scene

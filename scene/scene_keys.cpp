@@ -157,6 +157,8 @@ std::vector<KeyInfo> make_keys() {
          {"up", "down"}, ""},
         {"material", "texture_filter", word, "\"trilinear\"", "how a texture is read between its texels", kAny,
          {"nearest", "bilinear", "trilinear"}, ""},
+        {"material", "texture_scale", number_pair, "[1, 1]", "how often a texture is laid over 0..1 of u and v", kPositive,
+         {}, "[4, 2]"},
         {"material", "texture_wrap", word, "\"repeat\"", "what lies outside of a texture", kAny, {"repeat", "clamp"}, ""},
 
         {"object", "mesh", text, "", "an OBJ file, or a built-in shape", kAny, {}, "\"teapot\""},

@@ -7,7 +7,6 @@
 
 #include "examples/example.hpp"
 #include "examples/lit_scene.hpp"
-#include "raster/shapes.hpp"
 #include "raster/texture.hpp"
 #include "scene/render.hpp"
 
@@ -52,10 +51,8 @@ scene::Scene make_ground(glm::ivec2 size, const Image& picture, float tiles, flo
     material.model = lighting::ReflectionModel::unlit;
     material.maps.diffuse.texture = std::make_shared<raster::Texture>(raster::make_texture(picture));
     material.maps.filter = filter;
+    material.maps.scale = glm::vec2(tiles);
     const int ground = add_shape(scene, "plane", 1, {0.0f, 0.0f, 0.0f}, material);
-    auto mesh = std::make_shared<raster::Mesh>(*scene.objects[ground].mesh);
-    for (glm::vec2& uv : mesh->uvs) uv *= tiles;
-    scene.objects[ground].mesh = mesh;
     scene.objects[ground].world_from_object[0][0] = scene.objects[ground].world_from_object[2][2] = extent;
     scene.camera.position = {0.4f, 1.0f, 0.0f};
     scene.camera.target = {0.9f, 0.72f, -1.0f};

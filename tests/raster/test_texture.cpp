@@ -294,14 +294,15 @@ TEST_CASE("Batch look-up is the scalar look-up bit by bit and its level is that 
             step->set(i, random.real(-0.2f, 0.2f));
         }
     }
-    find_levels(*fragments, color, *level);
+    const glm::vec2 scale(3.0f, 0.7f);
+    find_levels(*fragments, color, {TextureFilter::trilinear, TextureWrap::repeat, scale}, *level);
     for (const auto filter : {TextureFilter::nearest, TextureFilter::bilinear, TextureFilter::trilinear}) {
         for (const TextureWrap wrap : kWraps) {
-            sample_color(*fragments, *level, color, filter, wrap, *rgb);
-            sample_value(*fragments, *level, value, filter, wrap, *grey);
+            sample_color(*fragments, *level, color, {filter, wrap, scale}, *rgb);
+            sample_value(*fragments, *level, value, {filter, wrap, scale}, *grey);
             const auto expected = [&](const Texture& texture, int i, int channel) {
                 const TextureView view = view_of(texture, wrap);
-                const float u = fragments->u.at(i), v = fragments->v.at(i);
+                const float u = 3.0f * fragments->u.at(i), v = 0.7f * fragments->v.at(i);
                 if (filter == TextureFilter::nearest) return sample_nearest(view, u, v, channel);
                 if (filter == TextureFilter::bilinear) return sample_bilinear(view, u, v, channel);
                 return sample_trilinear(view, u, v, level->at(i), channel);
@@ -312,7 +313,7 @@ TEST_CASE("Batch look-up is the scalar look-up bit by bit and its level is that 
             }
         }
     }
-    const glm::vec2 right(fragments->du_dx.at(5), fragments->dv_dx.at(5));
-    const glm::vec2 down(fragments->du_dy.at(5), fragments->dv_dy.at(5));
+    const glm::vec2 right(3.0f * fragments->du_dx.at(5), 0.7f * fragments->dv_dx.at(5));
+    const glm::vec2 down(3.0f * fragments->du_dy.at(5), 0.7f * fragments->dv_dy.at(5));
     CHECK(level->at(5) == level_of_detail(right, down, 21, 13));
 }
