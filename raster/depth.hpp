@@ -10,26 +10,26 @@ namespace kreda::raster {
 
 /// The plane of window depth over a triangle, anchored at its first vertex so that nothing drifts along a row.
 struct DepthPlane {
-    std::int32_t x0 = 0, y0 = 0;              ///< the anchor, 1/256 sample
-    float z0 = 0.0f;                          ///< depth at the anchor
-    float dz_dx = 0.0f, dz_dy = 0.0f;         ///< change per sample to the right, and down
-    float z_min = 0.0f, z_max = 0.0f;         ///< of the three vertices: slivers must not shoot out of their own range
+    std::int32_t x0 = 0, y0 = 0;       ///< the anchor, 1/256 sample
+    float z0 = 0.0f;                   ///< depth at the anchor
+    float dz_dx = 0.0f, dz_dy = 0.0f;  ///< change per sample to the right, and down
+    float z_min = 0.0f, z_max = 0.0f;  ///< of the three vertices: slivers must not shoot out of their own range
 };
 
-/// Depth plane of a triangle with positive area2 = edge_function(a, b, c). Slopes in double, rounded once.
-inline DepthPlane depth_plane(const ScreenVertex& a, const ScreenVertex& b, const ScreenVertex& c,
-                              std::int64_t area2) {
+/// Depth plane of a triangle with positive area2 = edge_function(a, b, c), an integer below 2^48. Slopes in double,
+/// rounded once.
+inline DepthPlane depth_plane(const ScreenVertex& a, const ScreenVertex& b, const ScreenVertex& c, double area2) {
     const double ab_x = b.x - a.x, ab_y = b.y - a.y, ab_z = double{b.z} - double{a.z};
     const double ac_x = c.x - a.x, ac_y = c.y - a.y, ac_z = double{c.z} - double{a.z};
-    const double scale = kSubpixels / static_cast<double>(area2);
+    const double scale = kSubpixels / area2;
     DepthPlane plane;
     plane.x0 = a.x;
     plane.y0 = a.y;
     plane.z0 = a.z;
     plane.dz_dx = static_cast<float>((ab_z * ac_y - ac_z * ab_y) * scale);
     plane.dz_dy = static_cast<float>((ac_z * ab_x - ab_z * ac_x) * scale);
-    plane.z_min = std::min({a.z, b.z, c.z});
-    plane.z_max = std::max({a.z, b.z, c.z});
+    plane.z_min = std::min(std::min(a.z, b.z), c.z);
+    plane.z_max = std::max(std::max(a.z, b.z), c.z);
     return plane;
 }
 

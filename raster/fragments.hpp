@@ -13,19 +13,6 @@ namespace kreda::raster {
 /// How many points are shaded together at most: their channels together stay in the first two caches.
 inline constexpr int kBatchCapacity = 512;
 
-/// Loops over a batch run up to the next multiple of this: whole vector registers, no rest. What lies behind the
-/// last fragment is computed and never looked at. When stepping in a debugger there is nothing behind it.
-#if defined(KREDA_MULTIVERSION)
-inline constexpr int kBatchLanes = 16;
-#else
-inline constexpr int kBatchLanes = 1;
-#endif
-
-/// Number of lanes a loop over `count` fragments runs.
-inline int lanes_for(int count) {
-    return (count + kBatchLanes - 1) / kBatchLanes * kBatchLanes;
-}
-
 /// A run may write a few lanes beyond the batch's end before the next batch starts.
 inline constexpr int kChannelSize = kBatchCapacity + kTileSide;
 

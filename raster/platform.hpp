@@ -28,3 +28,20 @@
 #else
 #define KREDA_BATCH_LOOP
 #endif
+
+namespace kreda::raster {
+
+/// Loops over a batch run up to the next multiple of this: whole vector registers, no rest. What lies behind the
+/// last fragment is computed and never looked at. When stepping in a debugger there is nothing behind it.
+#if defined(KREDA_MULTIVERSION)
+inline constexpr int kBatchLanes = 16;
+#else
+inline constexpr int kBatchLanes = 1;
+#endif
+
+/// Number of lanes a loop over `count` fragments runs.
+inline int lanes_for(int count) {
+    return (count + kBatchLanes - 1) / kBatchLanes * kBatchLanes;
+}
+
+}  // namespace kreda::raster

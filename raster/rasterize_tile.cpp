@@ -1,6 +1,7 @@
 #include "raster/rasterize_tile.hpp"
 
 #include <algorithm>
+#include <cmath>
 
 #include "raster/depth.hpp"
 #include "raster/platform.hpp"
@@ -12,59 +13,147 @@ namespace {
 /// Samples that are tested side by side. A constant, so that the compiler fills whole vector registers.
 constexpr int kLanes = 16;
 
+/// Triangles that are prepared side by side for one tile.
+constexpr int kSetupCapacity = 32;
+
 /// An edge function over one tile in 32 bits.
 ///
 /// From one sample centre to the next E changes by a multiple of 256, so floor(E / 256) has the sign of E at every
-/// centre and is all that the test needs. Within a tile it changes by less than 2^30 (63 samples in x and y times steps below
-/// 2^23, see kGuardBand); a start value beyond +-2^30 can be cut there without changing any sign in the tile.
+/// centre and is all that the test needs. Within a tile it changes by less than 2^30 (63 samples in x and y times steps
+/// below 2^23, see kGuardBand); a start value beyond +-2^30 can be cut there without changing any sign in the tile.
 struct TileEdge {
     std::int32_t start = 0;   ///< at the tile's first sample; >= 0 means inside
     std::int32_t step_x = 0;  ///< to the next sample of the row
     std::int32_t step_y = 0;  ///< to the next row
 };
 
-TileEdge tile_edge(const ScreenVertex& a, const ScreenVertex& b, const TileArea& area) {
-    const std::int64_t p_x = area.x * kSubpixels + kPixelCentre;
-    const std::int64_t p_y = area.y * kSubpixels + kPixelCentre;
-    const std::int64_t not_top_left = is_top_left(b.x - a.x, b.y - a.y) ? 0 : 1;
-    const std::int64_t e = edge_function(a.x, a.y, b.x, b.y, p_x, p_y) - not_top_left;
-    const std::int64_t limit = std::int64_t{1} << 30;
-    const std::int64_t start = std::clamp(e >> kSubpixelBits, -limit, limit);
-    return {static_cast<std::int32_t>(start), a.y - b.y, b.x - a.x};
+inline TileEdge tile_edge(const ScreenVertex& a, const ScreenVertex& b, const TileArea& area) {
+    constexpr double kLimit = 1 << 30;
+    const std::int32_t p_x = area.x * kSubpixels + kPixelCentre;
+    const std::int32_t p_y = area.y * kSubpixels + kPixelCentre;
+    const double not_top_left = is_top_left(b.x - a.x, b.y - a.y) ? 0.0 : 1.0;
+    const double e = edge_function<double>(a.x, a.y, b.x, b.y, p_x, p_y) - not_top_left;
+    const double start = std::floor(e * (1.0 / kSubpixels));
+    const double not_below = start > -kLimit ? start : -kLimit;
+    return {static_cast<std::int32_t>(not_below < kLimit ? not_below : kLimit), a.y - b.y, b.x - a.x};
 }
 
 /// Bounding box of a triangle in samples of the tile, the columns widened to whole groups of lanes.
-struct TileBox { int x_first, x_end, y_first, y_last; };
-TileBox tile_box(const ScreenVertex& a, const ScreenVertex& b, const ScreenVertex& c, const TileArea& area) {
+struct TileBox {
+    std::int32_t x_first = 0, x_end = 0, y_first = 0, y_last = 0;
+};
+
+inline TileBox tile_box(const ScreenVertex& a, const ScreenVertex& b, const ScreenVertex& c, const TileArea& area) {
     const auto first = [](std::int32_t min) { return (min + kPixelCentre - 1) >> kSubpixelBits; };
     const auto last = [](std::int32_t max) { return (max - kPixelCentre) >> kSubpixelBits; };
+    const std::int32_t x_first = first(std::min(std::min(a.x, b.x), c.x)) - area.x;
+    const std::int32_t y_first = first(std::min(std::min(a.y, b.y), c.y)) - area.y;
+    const std::int32_t x_last = last(std::max(std::max(a.x, b.x), c.x)) - area.x;
+    const std::int32_t y_last = last(std::max(std::max(a.y, b.y), c.y)) - area.y;
+    return {std::max(x_first, 0) & -kLanes, std::min(x_last, area.width - 1) + 1, std::max(y_first, 0),
+            std::min(y_last, area.height - 1)};
+}
+
+/// What drawing a triangle in a tile needs to know of it.
+struct TileTriangle {
+    TileEdge ab, bc, ca;
+    DepthPlane depth;
     TileBox box;
-    box.x_first = std::max(first(std::min({a.x, b.x, c.x})) - area.x, 0) / kLanes * kLanes;
-    box.x_end = std::min(last(std::max({a.x, b.x, c.x})) - area.x, area.width - 1) + 1;
-    box.y_first = std::max(first(std::min({a.y, b.y, c.y})) - area.y, 0);
-    box.y_last = std::min(last(std::max({a.y, b.y, c.y})) - area.y, area.height - 1);
-    return box;
+};
+
+inline TileTriangle tile_triangle(const ScreenVertex& a, const ScreenVertex& b, const ScreenVertex& c,
+                                  const TileArea& area) {
+    return {tile_edge(a, b, area), tile_edge(b, c, area), tile_edge(c, a, area),
+            depth_plane(a, b, c, edge_function<double>(a.x, a.y, b.x, b.y, c.x, c.y)), tile_box(a, b, c, area)};
+}
+
+/// The corners of the triangles that are prepared together, and what comes out: one array a number, a lane a triangle.
+struct CornerLanes {
+    std::int32_t x[kSetupCapacity], y[kSetupCapacity];
+    float z[kSetupCapacity];
+
+    void set(int i, const ScreenVertex& v) {
+        x[i] = v.x;
+        y[i] = v.y;
+        z[i] = v.z;
+    }
+    [[nodiscard]] ScreenVertex at(int i) const {
+        return {x[i], y[i], z[i], 0.0f};
+    }
+};
+
+struct EdgeLanes {
+    std::int32_t start[kSetupCapacity], step_x[kSetupCapacity], step_y[kSetupCapacity];
+
+    void set(int i, const TileEdge& e) {
+        start[i] = e.start;
+        step_x[i] = e.step_x;
+        step_y[i] = e.step_y;
+    }
+    [[nodiscard]] TileEdge at(int i) const {
+        return {start[i], step_x[i], step_y[i]};
+    }
+};
+
+struct SetupLanes {
+    alignas(64) CornerLanes a, b, c;
+    std::uint32_t id[kSetupCapacity];
+    EdgeLanes ab, bc, ca;
+    float dz_dx[kSetupCapacity], dz_dy[kSetupCapacity], z_min[kSetupCapacity], z_max[kSetupCapacity];
+    std::int32_t x_first[kSetupCapacity], x_end[kSetupCapacity], y_first[kSetupCapacity], y_last[kSetupCapacity];
+
+    void set(int i, const TileTriangle& t) {
+        ab.set(i, t.ab);
+        bc.set(i, t.bc);
+        ca.set(i, t.ca);
+        dz_dx[i] = t.depth.dz_dx;
+        dz_dy[i] = t.depth.dz_dy;
+        z_min[i] = t.depth.z_min;
+        z_max[i] = t.depth.z_max;
+        x_first[i] = t.box.x_first;
+        x_end[i] = t.box.x_end;
+        y_first[i] = t.box.y_first;
+        y_last[i] = t.box.y_last;
+    }
+    [[nodiscard]] TileTriangle at(int i) const {
+        const DepthPlane depth{a.x[i], a.y[i], a.z[i], dz_dx[i], dz_dy[i], z_min[i], z_max[i]};
+        return {ab.at(i), bc.at(i), ca.at(i), depth, {x_first[i], x_end[i], y_first[i], y_last[i]}};
+    }
+};
+
+/// Fetch the corners of `count` triangles; the lanes behind the last repeat it.
+inline void fetch_corners(const ScreenVertex* screen, const TriangleChunk& chunk, std::uint32_t first_entry, int count,
+                          std::uint32_t first_id, SetupLanes& setup) {
+    const int lanes = lanes_for(count);
+    for (int i = 0; i < lanes; ++i) {
+        const std::uint32_t index = chunk.tile_entries[first_entry + std::min(i, count - 1)];
+        const ScreenTriangle& triangle = chunk.triangles[index];
+        setup.id[i] = first_id + index;
+        setup.a.set(i, screen[triangle.vertex[0]]);
+        setup.b.set(i, screen[triangle.vertex[1]]);
+        setup.c.set(i, screen[triangle.vertex[2]]);
+    }
+}
+
+inline void prepare_triangles(const TileArea& tile_area, int lanes, SetupLanes& setup) {
+    const TileArea area = tile_area;
+    for (int i = 0; i < lanes; ++i) setup.set(i, tile_triangle(setup.a.at(i), setup.b.at(i), setup.c.at(i), area));
 }
 
 /// Edge tests and depth test for the samples of one triangle in one tile.
-inline void draw_in_tile(const ScreenVertex& a, const ScreenVertex& b, const ScreenVertex& c, std::uint32_t id,
-                         const TileArea& area, TileVisibility& tile) {
-    const TileEdge ab = tile_edge(a, b, area);
-    const TileEdge bc = tile_edge(b, c, area);
-    const TileEdge ca = tile_edge(c, a, area);
-    const DepthPlane plane = depth_plane(a, b, c, edge_function(a.x, a.y, b.x, b.y, c.x, c.y));
-    const TileBox box = tile_box(a, b, c, area);
-    for (int y = box.y_first; y <= box.y_last; ++y) {
-        const float row_depth = depth_of_row(plane, area.y + y);
-        for (int x = box.x_first; x < box.x_end; x += kLanes) {
-            const std::int32_t e_ab = ab.start + ab.step_y * y + ab.step_x * x;
-            const std::int32_t e_bc = bc.start + bc.step_y * y + bc.step_x * x;
-            const std::int32_t e_ca = ca.start + ca.step_y * y + ca.step_x * x;
+inline void draw_in_tile(const TileTriangle& t, std::uint32_t id, const TileArea& area, TileVisibility& tile) {
+    for (int y = t.box.y_first; y <= t.box.y_last; ++y) {
+        const float row_depth = depth_of_row(t.depth, area.y + y);
+        for (int x = t.box.x_first; x < t.box.x_end; x += kLanes) {
+            const std::int32_t e_ab = t.ab.start + t.ab.step_y * y + t.ab.step_x * x;
+            const std::int32_t e_bc = t.bc.start + t.bc.step_y * y + t.bc.step_x * x;
+            const std::int32_t e_ca = t.ca.start + t.ca.step_y * y + t.ca.step_x * x;
             float* depth = &tile.depth[y * kTileSide + x];
             std::uint32_t* triangle = &tile.triangle[y * kTileSide + x];
             for (int i = 0; i < kLanes; ++i) {
-                const std::int32_t inside = (e_ab + ab.step_x * i) | (e_bc + bc.step_x * i) | (e_ca + ca.step_x * i);
-                const float z = depth_at(plane, row_depth, area.x + x + i);
+                const std::int32_t inside =
+                    (e_ab + t.ab.step_x * i) | (e_bc + t.bc.step_x * i) | (e_ca + t.ca.step_x * i);
+                const float z = depth_at(t.depth, row_depth, area.x + x + i);
                 const bool visible = (inside >= 0) & (z < depth[i]);
                 depth[i] = visible ? z : depth[i];
                 triangle[i] = visible ? id : triangle[i];
@@ -74,14 +163,15 @@ inline void draw_in_tile(const ScreenVertex& a, const ScreenVertex& b, const Scr
 }
 
 /// All triangles of one chunk that touch the tile, in drawing order.
-KREDA_BATCH_LOOP void draw_chunk_in_tile(const ScreenVertex* screen, const TriangleChunk& chunk,
-                                         std::uint32_t first_id, const TileArea& area, TileVisibility& tile) {
+KREDA_BATCH_LOOP void draw_chunk_in_tile(const ScreenVertex* screen, const TriangleChunk& chunk, std::uint32_t first_id,
+                                         const TileArea& area, TileVisibility& tile) {
+    SetupLanes setup;
     const std::uint32_t end = chunk.tile_begin[area.index + 1];
-    for (std::uint32_t entry = chunk.tile_begin[area.index]; entry < end; ++entry) {
-        const std::uint32_t index = chunk.tile_entries[entry];
-        const ScreenTriangle& triangle = chunk.triangles[index];
-        draw_in_tile(screen[triangle.vertex[0]], screen[triangle.vertex[1]], screen[triangle.vertex[2]],
-                     first_id + index, area, tile);
+    for (std::uint32_t entry = chunk.tile_begin[area.index]; entry < end; entry += kSetupCapacity) {
+        const int count = static_cast<int>(std::min<std::uint32_t>(end - entry, kSetupCapacity));
+        fetch_corners(screen, chunk, entry, count, first_id, setup);
+        prepare_triangles(area, lanes_for(count), setup);
+        for (int i = 0; i < count; ++i) draw_in_tile(setup.at(i), setup.id[i], area, tile);
     }
 }
 
@@ -97,8 +187,7 @@ TileArea tile_area(const TileGrid& grid, const Viewport& viewport, int index) {
     return area;
 }
 
-void rasterize_tile(const VertexStreams& streams, const TriangleSet& set, const TileArea& area,
-                    TileVisibility& tile) {
+void rasterize_tile(const VertexStreams& streams, const TriangleSet& set, const TileArea& area, TileVisibility& tile) {
     std::fill(std::begin(tile.depth), std::end(tile.depth), kClearDepth);
     std::fill(std::begin(tile.triangle), std::end(tile.triangle), kNoTriangle);
     for (std::size_t c = 0; c < set.chunks.size(); ++c) {

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <bit>
 #include <cstdint>
+#include <type_traits>
 
 #include <glm/vec2.hpp>
 #include <glm/vec4.hpp>
@@ -22,7 +23,8 @@ inline constexpr int kPixelCentre = kSubpixels / 2;
 inline constexpr int kMaxImageSide = 16384;
 
 /// Triangles are clipped only where they leave this many samples around the image's centre (the guard band): what
-/// sticks out less is cut off by the bounding box for free. 2^14 keeps every edge step below 2^23, see rasterize_tile.cpp.
+/// sticks out less is cut off by the bounding box for free. 2^14 keeps every edge step below 2^23, see
+/// rasterize_tile.cpp.
 inline constexpr float kGuardBand = 16384.0f - 1.0f;
 
 /// Size of the sample grid: pixels, or n x n times as many with supersampling. Row 0 is the top row.
@@ -43,8 +45,8 @@ struct ScreenVertex {
 /// x of a vertex that has no place on the screen: its triangles go through the clipper.
 inline constexpr std::int32_t kNeedsClip = INT32_MIN;
 
-/// Is a clip-space position inside the near and far planes and the guard band? False for NaN, and where 1/w is not finite
-/// and above zero.
+/// Is a clip-space position inside the near and far planes and the guard band? False for NaN, and where 1/w is not
+/// finite and above zero.
 inline bool inside_guard_band(const glm::vec4& clip, float guard_x, float guard_y) {
     const bool can_divide = (clip.w >= kMinNormal) & (clip.w <= kMaxFinite);
     const bool in_depth = (clip.z >= -clip.w) & (clip.z <= clip.w);
@@ -53,9 +55,9 @@ inline bool inside_guard_band(const glm::vec4& clip, float guard_x, float guard_
     return can_divide & in_depth & in_x & in_y;
 }
 
-/// How far the guard band reaches in normalized device coordinates: up to kGuardBand samples from the centre of an image
-/// of this many samples. Rounded down to a power of two: then guard * w is exact, and the vertex stage and the clipper
-/// never disagree about a vertex on the border.
+/// How far the guard band reaches in normalized device coordinates: up to kGuardBand samples from the centre of an
+/// image of this many samples. Rounded down to a power of two: then guard * w is exact, and the vertex stage and the
+/// clipper never disagree about a vertex on the border.
 inline float guard_band_ndc(int image_side) {
     constexpr std::uint32_t kSignAndExponent = 0xff800000u;
     const float reach = kGuardBand / (0.5f * static_cast<float>(image_side));
@@ -85,8 +87,12 @@ inline ScreenVertex to_screen(const glm::vec4& clip, const Viewport& viewport) {
 
 /// Twice the signed area of the triangle a, b, p:  E = (b_x - a_x)(p_y - a_y) - (b_y - a_y)(p_x - a_x).
 /// Exact. With y down, E > 0 means: going from a to b, p lies to the right.                  Pineda 1988
-inline std::int64_t edge_function(std::int64_t a_x, std::int64_t a_y, std::int64_t b_x, std::int64_t b_y,
-                                  std::int64_t p_x, std::int64_t p_y) {
+/// `Exact` is int64, or in batch loops double, which fills vector registers: inside the guard band |E| < 2^48, and a
+/// double holds every integer up to 2^53.
+template <class Exact = std::int64_t>
+inline Exact edge_function(std::type_identity_t<Exact> a_x, std::type_identity_t<Exact> a_y,
+                           std::type_identity_t<Exact> b_x, std::type_identity_t<Exact> b_y,
+                           std::type_identity_t<Exact> p_x, std::type_identity_t<Exact> p_y) {
     return (b_x - a_x) * (p_y - a_y) - (b_y - a_y) * (p_x - a_x);
 }
 
