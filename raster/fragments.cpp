@@ -155,12 +155,12 @@ inline void interpolate_tangent(const glm::vec4* tangent, const std::array<std::
 }
 
 inline void interpolate_run(const Attributes& in, const ScreenTriangle& triangle, const Run& run, const TileArea& area,
-                            AttributeInterpolation interpolation, bool with_uv_steps, Fragments& out, int first) {
+                            AttributeInterpolation interpolation, bool with_uv_steps, int lanes, Fragments& out,
+                            int first) {
     const std::array<std::uint32_t, 3> v = triangle.vertex;
     const ScreenVertex* const corner[3] = {&in.screen[v[0]], &in.screen[v[1]], &in.screen[v[2]]};
     const std::int64_t p_x = (area.x + run.x) * kSubpixels + kPixelCentre;
     const std::int64_t p_y = (area.y + run.y) * kSubpixels + kPixelCentre;
-    const int lanes = lanes_for(run.count);
     WeightRow b;
     const RunWeights weights = run_weights(corner, p_x, p_y, interpolation);
     fill_weights(weights, lanes, b);
@@ -173,13 +173,23 @@ inline void interpolate_run(const Attributes& in, const ScreenTriangle& triangle
     if (in.fog) blend(b, lanes, in.fog[v[0]], in.fog[v[1]], in.fog[v[2]], out.fog.value + first);
 }
 
+/// Of small triangles most runs are not longer than this: a few lanes are then enough. The compiler makes two
+/// versions of interpolate_run, one for a constant number of lanes.
+constexpr int kShortRun = 4;
+
 KREDA_BATCH_LOOP void interpolate_all(const Attributes& in, const TriangleSet& set, const TileArea& area,
                                       const Run* runs, int run_count, AttributeInterpolation interpolation,
                                       bool with_uv_steps, Fragments& out) {
     int first = 0;
     for (int r = 0; r < run_count; ++r) {
-        interpolate_run(in, set.triangle(runs[r].triangle), runs[r], area, interpolation, with_uv_steps, out, first);
-        first += runs[r].count;
+        const Run& run = runs[r];
+        const ScreenTriangle& triangle = set.triangle(run.triangle);
+        if (kBatchLanes > 1 && run.count <= kShortRun) {
+            interpolate_run(in, triangle, run, area, interpolation, with_uv_steps, kShortRun, out, first);
+        } else {
+            interpolate_run(in, triangle, run, area, interpolation, with_uv_steps, lanes_for(run.count), out, first);
+        }
+        first += run.count;
     }
     out.count = first;
 }

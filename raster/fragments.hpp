@@ -6,6 +6,7 @@
 #include <glm/vec2.hpp>
 #include <glm/vec3.hpp>
 
+#include "raster/platform.hpp"
 #include "raster/rasterize_tile.hpp"
 
 namespace kreda::raster {
