@@ -6,45 +6,54 @@
 #include <glm/geometric.hpp>
 
 #include "raster/platform.hpp"
+#include "raster/screen_lanes.hpp"
 
 namespace kreda::raster {
 
 namespace {
 
-/// Everything that the samples of a run share: the exact edge functions along the row and 1/w of the corners.
-/// Edge i lies opposite to corner i, so E_i is the weight of corner i.
-struct RunWeights {
-    double start[3];   ///< E_i at the run's first sample, an exact integer
-    double step[3];    ///< change of E_i to the next sample, an exact integer
-    double step_down[3];  ///< the same to the sample below
-    float scale[3];    ///< 1 / (area2 w_i): turns E_i into q_i
+/// Centre of a sample, 1/256 sample.
+inline std::int32_t centre_of(int sample) {
+    return sample * kSubpixels + kPixelCentre;
+}
+
+/// One corner's share in the weights along a row: the exact edge function opposite to it, and 1/w.
+struct CornerRow {
+    double start = 0.0;      ///< E at the first sample, an exact integer
+    double step = 0.0;       ///< change of E to the next sample, an exact integer
+    double step_down = 0.0;  ///< the same to the sample below
+    float scale = 0.0f;      ///< 1 / (area2 w): turns E into q
 };
 
-RunWeights run_weights(const ScreenVertex* const corner[3], std::int64_t p_x, std::int64_t p_y,
-                       AttributeInterpolation interpolation) {
-    RunWeights weights;
-    double area2 = 0.0;
-    for (int i = 0; i < 3; ++i) {
-        const ScreenVertex& a = *corner[(i + 1) % 3];
-        const ScreenVertex& b = *corner[(i + 2) % 3];
-        weights.start[i] = static_cast<double>(edge_function(a.x, a.y, b.x, b.y, p_x, p_y));
-        weights.step[i] = static_cast<double>(std::int64_t{a.y - b.y} * kSubpixels);
-        weights.step_down[i] = static_cast<double>(std::int64_t{b.x - a.x} * kSubpixels);
-        area2 += weights.start[i];
-    }
+/// Everything that the samples of a run share. Edge i lies opposite to corner i, so E_i is the weight of corner i.
+struct RunWeights {
+    CornerRow a, b, c;
+};
+
+/// The edge from `from` to `to`, opposite to a corner, without the scale.
+inline CornerRow corner_row(const ScreenVertex& from, const ScreenVertex& to, std::int32_t p_x, std::int32_t p_y) {
+    return {edge_function<double>(from.x, from.y, to.x, to.y, p_x, p_y),
+            static_cast<double>(from.y - to.y) * kSubpixels, static_cast<double>(to.x - from.x) * kSubpixels, 0.0f};
+}
+
+/// (p_x, p_y): the centre of the run's first sample, 1/256 sample.
+inline RunWeights run_weights(const ScreenVertex& a, const ScreenVertex& b, const ScreenVertex& c, std::int32_t p_x,
+                              std::int32_t p_y) {
+    RunWeights weights{corner_row(b, c, p_x, p_y), corner_row(c, a, p_x, p_y), corner_row(a, b, p_x, p_y)};
+    const double area2 = weights.a.start + weights.b.start + weights.c.start;
     const float inv_area2 = static_cast<float>(1.0 / area2);
-    for (int i = 0; i < 3; ++i) {
-        weights.scale[i] = interpolation == AttributeInterpolation::perspective ? inv_area2 * corner[i]->inv_w : inv_area2;
-    }
+    weights.a.scale = inv_area2 * a.inv_w;
+    weights.b.scale = inv_area2 * b.inv_w;
+    weights.c.scale = inv_area2 * c.inv_w;
     return weights;
 }
 
 /// q_i of the three corners at sample i of a run.
 inline glm::vec3 corner_q(const RunWeights& w, int i) {
     const double k = i;
-    return {static_cast<float>(w.start[0] + w.step[0] * k) * w.scale[0],
-            static_cast<float>(w.start[1] + w.step[1] * k) * w.scale[1],
-            static_cast<float>(w.start[2] + w.step[2] * k) * w.scale[2]};
+    return {static_cast<float>(w.a.start + w.a.step * k) * w.a.scale,
+            static_cast<float>(w.b.start + w.b.step * k) * w.b.scale,
+            static_cast<float>(w.c.start + w.c.step * k) * w.c.scale};
 }
 
 /// Weights of the three corners at sample i of a run; they sum to 1.
@@ -54,28 +63,42 @@ inline glm::vec3 corner_weights(const RunWeights& w, int i) {
     return {q.x * inv_sum, q.y * inv_sum, q.z * inv_sum};
 }
 
-/// Corner weights of the samples of a run.
+/// Runs that are not longer than this are short: of small triangles most are. Their weights are found together, many
+/// runs side by side.
+constexpr int kShortRun = 4;
+
+/// Corner weights of the samples of one run or of many short ones.
 struct WeightRow {
-    alignas(64) float b0[kTileSide];
-    alignas(64) float b1[kTileSide];
-    alignas(64) float b2[kTileSide];
+    alignas(64) float b0[kTileSide + kShortRun];
+    alignas(64) float b1[kTileSide + kShortRun];
+    alignas(64) float b2[kTileSide + kShortRun];
+
+    void set(int i, const glm::vec3& b) {
+        b0[i] = b.x;
+        b1[i] = b.y;
+        b2[i] = b.z;
+    }
 };
 
 inline void fill_weights(const RunWeights& w, int lanes, WeightRow& row) {
-    for (int i = 0; i < lanes; ++i) {
-        const glm::vec3 b = corner_weights(w, i);
-        row.b0[i] = b.x;
-        row.b1[i] = b.y;
-        row.b2[i] = b.z;
-    }
+    for (int i = 0; i < lanes; ++i) row.set(i, corner_weights(w, i));
 }
+
+/// Where in a row of weights a run begins.
+struct RowPart {
+    const WeightRow& row;
+    int first = 0;
+};
 
 /// One component of an attribute along a run: a = b_0 a_0 + b_1 a_1 + b_2 a_2.
-inline void blend(const WeightRow& b, int lanes, float a0, float a1, float a2, float* __restrict out) {
-    for (int i = 0; i < lanes; ++i) out[i] = b.b0[i] * a0 + b.b1[i] * a1 + b.b2[i] * a2;
+inline void blend(const RowPart& part, int lanes, float a0, float a1, float a2, float* __restrict out) {
+    const float* b0 = part.row.b0 + part.first;
+    const float* b1 = part.row.b1 + part.first;
+    const float* b2 = part.row.b2 + part.first;
+    for (int i = 0; i < lanes; ++i) out[i] = b0[i] * a0 + b1[i] * a1 + b2[i] * a2;
 }
 
-inline void blend3(const WeightRow& b, int lanes, const glm::vec3* stream, const std::array<std::uint32_t, 3>& vertex,
+inline void blend3(const RowPart& b, int lanes, const glm::vec3* stream, const std::array<std::uint32_t, 3>& vertex,
                    Channel3& out, int first) {
     const glm::vec3 a0 = stream[vertex[0]];
     const glm::vec3 a1 = stream[vertex[1]];
@@ -85,10 +108,14 @@ inline void blend3(const WeightRow& b, int lanes, const glm::vec3* stream, const
     blend(b, lanes, a0.z, a1.z, a2.z, out.z + first);
 }
 
-/// How much q_i changes to a neighbouring sample.
-inline glm::vec3 q_step(const double (&step)[3], const RunWeights& w) {
-    return {static_cast<float>(step[0]) * w.scale[0], static_cast<float>(step[1]) * w.scale[1],
-            static_cast<float>(step[2]) * w.scale[2]};
+/// How much q_i changes to the next sample, and to the one below.
+inline glm::vec3 q_step_right(const RunWeights& w) {
+    return {static_cast<float>(w.a.step) * w.a.scale, static_cast<float>(w.b.step) * w.b.scale,
+            static_cast<float>(w.c.step) * w.c.scale};
+}
+inline glm::vec3 q_step_down(const RunWeights& w) {
+    return {static_cast<float>(w.a.step_down) * w.a.scale, static_cast<float>(w.b.step_down) * w.b.scale,
+            static_cast<float>(w.c.step_down) * w.c.scale};
 }
 
 /// a of the neighbour minus a here. A neighbour that the triangle's plane reaches only behind the eye (the plane's
@@ -96,15 +123,16 @@ inline glm::vec3 q_step(const double (&step)[3], const RunWeights& w) {
 inline float step_of(const glm::vec3& dq, float inv_sum_here, const glm::vec3& corner_value, float here) {
     constexpr float kAlmostHorizon = 1e-6f;
     const float sum_ratio = 1.0f + (dq.x + dq.y + dq.z) * inv_sum_here;
-    const float change = dq.x * (corner_value.x - here) + dq.y * (corner_value.y - here) + dq.z * (corner_value.z - here);
+    const float change =
+        dq.x * (corner_value.x - here) + dq.y * (corner_value.y - here) + dq.z * (corner_value.z - here);
     return change * inv_sum_here / (sum_ratio > kAlmostHorizon ? sum_ratio : kAlmostHorizon);
 }
 
 /// The steps of one texture coordinate along a run, to the right and down.
 inline void fill_steps(const RunWeights& w, int lanes, const glm::vec3& corner_value, const float* __restrict here,
                        float* __restrict step_right, float* __restrict step_down) {
-    const glm::vec3 right = q_step(w.step, w);
-    const glm::vec3 down = q_step(w.step_down, w);
+    const glm::vec3 right = q_step_right(w);
+    const glm::vec3 down = q_step_down(w);
     for (int i = 0; i < lanes; ++i) {
         const glm::vec3 q = corner_q(w, i);
         const float inv_sum = 1.0f / (q.x + q.y + q.z);
@@ -125,13 +153,17 @@ struct Attributes {
     const float* fog;
 };
 
-inline void interpolate_uv(const Attributes& in, const std::array<std::uint32_t, 3>& v, const RunWeights& weights,
-                           const WeightRow& b, int lanes, bool with_steps, Fragments& out, int first) {
-    const glm::vec3 u(in.uv[v[0]].x, in.uv[v[1]].x, in.uv[v[2]].x);
-    const glm::vec3 t(in.uv[v[0]].y, in.uv[v[1]].y, in.uv[v[2]].y);
-    blend(b, lanes, u.x, u.y, u.z, out.u.value + first);
-    blend(b, lanes, t.x, t.y, t.z, out.v.value + first);
-    if (!with_steps) return;
+inline void interpolate_uv(const glm::vec2* uv, const std::array<std::uint32_t, 3>& v, const RowPart& b, int lanes,
+                           Fragments& out, int first) {
+    blend(b, lanes, uv[v[0]].x, uv[v[1]].x, uv[v[2]].x, out.u.value + first);
+    blend(b, lanes, uv[v[0]].y, uv[v[1]].y, uv[v[2]].y, out.v.value + first);
+}
+
+/// Requires u and v of the run.
+inline void fill_uv_steps(const glm::vec2* uv, const std::array<std::uint32_t, 3>& v, const RunWeights& weights,
+                          int lanes, Fragments& out, int first) {
+    const glm::vec3 u(uv[v[0]].x, uv[v[1]].x, uv[v[2]].x);
+    const glm::vec3 t(uv[v[0]].y, uv[v[1]].y, uv[v[2]].y);
     fill_steps(weights, lanes, u, out.u.value + first, out.du_dx.value + first, out.du_dy.value + first);
     fill_steps(weights, lanes, t, out.v.value + first, out.dv_dx.value + first, out.dv_dy.value + first);
 }
@@ -143,7 +175,7 @@ inline void fill_face_normal(const glm::vec3* position, const std::array<std::ui
     for (int i = first; i < first + lanes; ++i) out.set(i, normal);
 }
 
-inline void interpolate_tangent(const glm::vec4* tangent, const std::array<std::uint32_t, 3>& v, const WeightRow& b,
+inline void interpolate_tangent(const glm::vec4* tangent, const std::array<std::uint32_t, 3>& v, const RowPart& b,
                                 int lanes, Fragments& out, int first) {
     const glm::vec4 t0 = tangent[v[0]];
     const glm::vec4 t1 = tangent[v[1]];
@@ -154,42 +186,104 @@ inline void interpolate_tangent(const glm::vec4* tangent, const std::array<std::
     blend(b, lanes, t0.w, t1.w, t2.w, out.tangent_side.value + first);
 }
 
-inline void interpolate_run(const Attributes& in, const ScreenTriangle& triangle, const Run& run, const TileArea& area,
-                            AttributeInterpolation interpolation, bool with_uv_steps, int lanes, Fragments& out,
-                            int first) {
-    const std::array<std::uint32_t, 3> v = triangle.vertex;
-    const ScreenVertex* const corner[3] = {&in.screen[v[0]], &in.screen[v[1]], &in.screen[v[2]]};
-    const std::int64_t p_x = (area.x + run.x) * kSubpixels + kPixelCentre;
-    const std::int64_t p_y = (area.y + run.y) * kSubpixels + kPixelCentre;
-    WeightRow b;
-    const RunWeights weights = run_weights(corner, p_x, p_y, interpolation);
-    fill_weights(weights, lanes, b);
+/// All attributes of one run from its weights.
+inline void blend_run(const Attributes& in, const std::array<std::uint32_t, 3>& v, const RowPart& b, int lanes,
+                      Fragments& out, int first) {
     if (in.position) blend3(b, lanes, in.position, v, out.position, first);
     if (in.normal) blend3(b, lanes, in.normal, v, out.normal, first);
     if (in.face_corners) fill_face_normal(in.face_corners, v, lanes, out.face_normal, first);
     if (in.color) blend3(b, lanes, in.color, v, out.color, first);
-    if (in.uv) interpolate_uv(in, v, weights, b, lanes, with_uv_steps, out, first);
+    if (in.uv) interpolate_uv(in.uv, v, b, lanes, out, first);
     if (in.tangent) interpolate_tangent(in.tangent, v, b, lanes, out, first);
     if (in.fog) blend(b, lanes, in.fog[v[0]], in.fog[v[1]], in.fog[v[2]], out.fog.value + first);
 }
 
-/// Of small triangles most runs are not longer than this: a few lanes are then enough. The compiler makes two
-/// versions of interpolate_run, one for a constant number of lanes.
-constexpr int kShortRun = 4;
+/// What all runs of a batch share.
+struct BatchTask {
+    Attributes in;
+    const TriangleSet& set;
+    TileArea area;
+    bool perspective = true;
+    bool with_uv_steps = false;
+};
 
-KREDA_BATCH_LOOP void interpolate_all(const Attributes& in, const TriangleSet& set, const TileArea& area,
-                                      const Run* runs, int run_count, AttributeInterpolation interpolation,
-                                      bool with_uv_steps, Fragments& out) {
-    int first = 0;
-    for (int r = 0; r < run_count; ++r) {
-        const Run& run = runs[r];
-        const ScreenTriangle& triangle = set.triangle(run.triangle);
-        if (kBatchLanes > 1 && run.count <= kShortRun) {
-            interpolate_run(in, triangle, run, area, interpolation, with_uv_steps, kShortRun, out, first);
-        } else {
-            interpolate_run(in, triangle, run, area, interpolation, with_uv_steps, lanes_for(run.count), out, first);
+/// A corner as the weights want it: 1/w, or 1 where they shall leave out the perspective.
+inline ScreenVertex corner_of(const BatchTask& task, std::uint32_t vertex) {
+    ScreenVertex corner = task.in.screen[vertex];
+    if (!task.perspective) corner.inv_w = 1.0f;
+    return corner;
+}
+
+inline void interpolate_run(const BatchTask& task, const Run& run, Fragments& out, int first) {
+    const std::array<std::uint32_t, 3> v = task.set.triangle(run.triangle).vertex;
+    const int lanes = lanes_for(run.count);
+    const RunWeights weights = run_weights(corner_of(task, v[0]), corner_of(task, v[1]), corner_of(task, v[2]),
+                                           centre_of(task.area.x + run.x), centre_of(task.area.y + run.y));
+    WeightRow row;
+    fill_weights(weights, lanes, row);
+    blend_run(task.in, v, {row, 0}, lanes, out, first);
+    if (task.with_uv_steps) fill_uv_steps(task.in.uv, v, weights, lanes, out, first);
+}
+
+/// The samples of many short runs: the corners of each sample's triangle, and its centre.
+struct PointLanes {
+    ScreenLanes a, b, c;
+    std::int32_t x[kScreenLanes] = {}, y[kScreenLanes] = {};
+};
+
+inline void weigh_points(const PointLanes& points, int lanes, WeightRow& row) {
+    for (int i = 0; i < lanes; ++i) {
+        const RunWeights w = run_weights(points.a.at(i), points.b.at(i), points.c.at(i), points.x[i], points.y[i]);
+        row.set(i, corner_weights(w, 0));
+    }
+}
+
+/// Fetch the corners of as many short runs as stand together and fit. Returns the number of runs.
+inline int fetch_short_runs(const BatchTask& task, const Run* runs, int run_count, PointLanes& points, int& samples) {
+    samples = 0;
+    int r = 0;
+    for (; r < run_count && runs[r].count <= kShortRun && samples + kShortRun <= kScreenLanes; ++r) {
+        const std::array<std::uint32_t, 3> v = task.set.triangle(runs[r].triangle).vertex;
+        const ScreenVertex a = corner_of(task, v[0]), b = corner_of(task, v[1]), c = corner_of(task, v[2]);
+        for (int i = 0; i < runs[r].count; ++i, ++samples) {
+            points.a.set(samples, a);
+            points.b.set(samples, b);
+            points.c.set(samples, c);
+            points.x[samples] = centre_of(task.area.x + runs[r].x + i);
+            points.y[samples] = centre_of(task.area.y + runs[r].y);
         }
-        first += run.count;
+    }
+    return r;
+}
+
+/// As interpolate_run for each of the runs, but all weights are found together. Returns how many runs were done.
+inline int interpolate_short_runs(const BatchTask& task, const Run* runs, int run_count, PointLanes& points,
+                                  Fragments& out, int first) {
+    WeightRow row;
+    int samples = 0;
+    const int taken = fetch_short_runs(task, runs, run_count, points, samples);
+    weigh_points(points, lanes_for(samples), row);
+    int done = 0;
+    for (int r = 0; r < taken; ++r) {
+        blend_run(task.in, task.set.triangle(runs[r].triangle).vertex, {row, done}, kShortRun, out, first + done);
+        done += runs[r].count;
+    }
+    return taken;
+}
+
+KREDA_BATCH_LOOP void interpolate_all(const BatchTask& batch, const Run* runs, int run_count, Fragments& out) {
+    const BatchTask task = batch;
+    const bool side_by_side = kBatchLanes > 1 && !task.with_uv_steps;
+    PointLanes points;
+    int first = 0;
+    for (int r = 0; r < run_count;) {
+        int taken = 1;
+        if (side_by_side && runs[r].count <= kShortRun) {
+            taken = interpolate_short_runs(task, runs + r, run_count - r, points, out, first);
+        } else {
+            interpolate_run(task, runs[r], out, first);
+        }
+        for (int end = r + taken; r < end; ++r) first += runs[r].count;
     }
     out.count = first;
 }
@@ -239,7 +333,8 @@ void interpolate_runs(const VertexStreams& streams, const TriangleSet& set, cons
                                 needs.uv ? streams.uv.data() : nullptr,
                                 needs.tangent ? streams.tangent_world.data() : nullptr,
                                 needs.fog ? streams.fog.data() : nullptr};
-    interpolate_all(attributes, set, area, runs, run_count, interpolation, needs.uv_steps, fragments);
+    const bool perspective = interpolation == AttributeInterpolation::perspective;
+    interpolate_all({attributes, set, area, perspective, needs.uv_steps}, runs, run_count, fragments);
 }
 
 }  // namespace kreda::raster

@@ -5,6 +5,7 @@
 
 #include "raster/depth.hpp"
 #include "raster/platform.hpp"
+#include "raster/screen_lanes.hpp"
 
 namespace kreda::raster {
 
@@ -12,9 +13,6 @@ namespace {
 
 /// Samples that are tested side by side. A constant, so that the compiler fills whole vector registers.
 constexpr int kLanes = 16;
-
-/// Triangles that are prepared side by side for one tile.
-constexpr int kSetupCapacity = 32;
 
 /// An edge function over one tile in 32 bits.
 ///
@@ -67,23 +65,9 @@ inline TileTriangle tile_triangle(const ScreenVertex& a, const ScreenVertex& b, 
             depth_plane(a, b, c, edge_function<double>(a.x, a.y, b.x, b.y, c.x, c.y)), tile_box(a, b, c, area)};
 }
 
-/// The corners of the triangles that are prepared together, and what comes out: one array a number, a lane a triangle.
-struct CornerLanes {
-    std::int32_t x[kSetupCapacity], y[kSetupCapacity];
-    float z[kSetupCapacity];
-
-    void set(int i, const ScreenVertex& v) {
-        x[i] = v.x;
-        y[i] = v.y;
-        z[i] = v.z;
-    }
-    [[nodiscard]] ScreenVertex at(int i) const {
-        return {x[i], y[i], z[i], 0.0f};
-    }
-};
-
+/// Triangles that are prepared side by side, and what comes out: one array a number, a lane a triangle.
 struct EdgeLanes {
-    std::int32_t start[kSetupCapacity], step_x[kSetupCapacity], step_y[kSetupCapacity];
+    std::int32_t start[kScreenLanes], step_x[kScreenLanes], step_y[kScreenLanes];
 
     void set(int i, const TileEdge& e) {
         start[i] = e.start;
@@ -96,11 +80,11 @@ struct EdgeLanes {
 };
 
 struct SetupLanes {
-    alignas(64) CornerLanes a, b, c;
-    std::uint32_t id[kSetupCapacity];
+    ScreenLanes a, b, c;
+    std::uint32_t id[kScreenLanes];
     EdgeLanes ab, bc, ca;
-    float dz_dx[kSetupCapacity], dz_dy[kSetupCapacity], z_min[kSetupCapacity], z_max[kSetupCapacity];
-    std::int32_t x_first[kSetupCapacity], x_end[kSetupCapacity], y_first[kSetupCapacity], y_last[kSetupCapacity];
+    float dz_dx[kScreenLanes], dz_dy[kScreenLanes], z_min[kScreenLanes], z_max[kScreenLanes];
+    std::int32_t x_first[kScreenLanes], x_end[kScreenLanes], y_first[kScreenLanes], y_last[kScreenLanes];
 
     void set(int i, const TileTriangle& t) {
         ab.set(i, t.ab);
@@ -167,8 +151,8 @@ KREDA_BATCH_LOOP void draw_chunk_in_tile(const ScreenVertex* screen, const Trian
                                          const TileArea& area, TileVisibility& tile) {
     SetupLanes setup;
     const std::uint32_t end = chunk.tile_begin[area.index + 1];
-    for (std::uint32_t entry = chunk.tile_begin[area.index]; entry < end; entry += kSetupCapacity) {
-        const int count = static_cast<int>(std::min<std::uint32_t>(end - entry, kSetupCapacity));
+    for (std::uint32_t entry = chunk.tile_begin[area.index]; entry < end; entry += kScreenLanes) {
+        const int count = static_cast<int>(std::min<std::uint32_t>(end - entry, kScreenLanes));
         fetch_corners(screen, chunk, entry, count, first_id, setup);
         prepare_triangles(area, lanes_for(count), setup);
         for (int i = 0; i < count; ++i) draw_in_tile(setup.at(i), setup.id[i], area, tile);

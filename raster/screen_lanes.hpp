@@ -1,0 +1,28 @@
+// Screen vertices as a structure of arrays: one corner of up to 64 triangles or samples that are worked on side by
+// side.
+#pragma once
+
+#include "raster/screen.hpp"
+
+namespace kreda::raster {
+
+inline constexpr int kScreenLanes = 64;
+
+struct ScreenLanes {
+    alignas(64) std::int32_t x[kScreenLanes] = {};
+    std::int32_t y[kScreenLanes] = {};
+    float z[kScreenLanes] = {};
+    float inv_w[kScreenLanes] = {};
+
+    [[nodiscard]] ScreenVertex at(int i) const {
+        return {x[i], y[i], z[i], inv_w[i]};
+    }
+    void set(int i, const ScreenVertex& v) {
+        x[i] = v.x;
+        y[i] = v.y;
+        z[i] = v.z;
+        inv_w[i] = v.inv_w;
+    }
+};
+
+}  // namespace kreda::raster
