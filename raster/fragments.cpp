@@ -100,9 +100,9 @@ inline void blend(const RowPart& part, int lanes, float a0, float a1, float a2, 
 
 inline void blend3(const RowPart& b, int lanes, const glm::vec3* stream, const std::array<std::uint32_t, 3>& vertex,
                    Channel3& out, int first) {
-    const glm::vec3 a0 = stream[vertex[0]];
-    const glm::vec3 a1 = stream[vertex[1]];
-    const glm::vec3 a2 = stream[vertex[2]];
+    const glm::vec3& a0 = stream[vertex[0]];
+    const glm::vec3& a1 = stream[vertex[1]];
+    const glm::vec3& a2 = stream[vertex[2]];
     blend(b, lanes, a0.x, a1.x, a2.x, out.x + first);
     blend(b, lanes, a0.y, a1.y, a2.y, out.y + first);
     blend(b, lanes, a0.z, a1.z, a2.z, out.z + first);
@@ -177,9 +177,9 @@ inline void fill_face_normal(const glm::vec3* position, const std::array<std::ui
 
 inline void interpolate_tangent(const glm::vec4* tangent, const std::array<std::uint32_t, 3>& v, const RowPart& b,
                                 int lanes, Fragments& out, int first) {
-    const glm::vec4 t0 = tangent[v[0]];
-    const glm::vec4 t1 = tangent[v[1]];
-    const glm::vec4 t2 = tangent[v[2]];
+    const glm::vec4& t0 = tangent[v[0]];
+    const glm::vec4& t1 = tangent[v[1]];
+    const glm::vec4& t2 = tangent[v[2]];
     blend(b, lanes, t0.x, t1.x, t2.x, out.tangent.x + first);
     blend(b, lanes, t0.y, t1.y, t2.y, out.tangent.y + first);
     blend(b, lanes, t0.z, t1.z, t2.z, out.tangent.z + first);
