@@ -18,6 +18,7 @@ if(KREDA_MULTIVERSION AND CMAKE_CXX_COMPILER_ID STREQUAL "GNU")
 endif()
 if(KREDA_SANITIZE)
   target_compile_options(kreda_flags INTERFACE -fsanitize=address,undefined -fno-sanitize-recover=all -fno-omit-frame-pointer)
+  target_compile_definitions(kreda_flags INTERFACE KREDA_SANITIZED=1)
   target_link_options(kreda_flags INTERFACE -fsanitize=address,undefined)
 endif()
 # Users of GLM see x, y, z in a debugger instead of three names for each component.

@@ -109,7 +109,7 @@ struct SetupLanes {
 inline void fetch_corners(const ScreenVertex* screen, const TriangleChunk& chunk, std::uint32_t first_entry, int count,
                           std::uint32_t first_id, SetupLanes& setup) {
     const int lanes = lanes_for(count);
-    for (int i = 0; i < lanes; ++i) {
+    for (int i = 0; i < lanes; ++i) {  // not vectorized: each triangle lies somewhere else
         const std::uint32_t index = chunk.tile_entries[first_entry + std::min(i, count - 1)];
         const ScreenTriangle& triangle = chunk.triangles[index];
         setup.id[i] = first_id + index;

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "raster/copy_past_cache.hpp"
 #include "raster/platform.hpp"
 #include "scene/debug_pixel.hpp"
 #include "scene/shade.hpp"
@@ -88,21 +89,30 @@ void shade_batch(const Frame& frame, std::uint32_t material, TileScratch& scratc
     }
 }
 
-/// Runs are short: a plain loop beats a call of memcpy (scene/CMake flag -fno-tree-loop-distribute-patterns keeps it one).
+/// Runs are short: a plain loop beats a call of memcpy (scene/CMake flag -fno-tree-loop-distribute-patterns keeps it
+/// one).
 inline void copy_run(const float* __restrict from, int count, float* __restrict to) {
     for (int i = 0; i < count; ++i) to[i] = from[i];
 }
 
+/// Runs from r on that follow each other without a gap within their row, as one: how many samples. r moves behind them.
+inline int samples_without_gap(const Run* runs, int count, int& r) {
+    int samples = runs[r].count;
+    const int x = runs[r].x, y = runs[r].y;
+    for (++r; r < count && runs[r].y == y && runs[r].x == x + samples; ++r) samples += runs[r].count;
+    return samples;
+}
+
 /// Put the batch's radiance where its runs lie in the tile.
-KREDA_BATCH_LOOP void scatter_runs(const raster::Channel3& radiance, const Run* runs, int count,
-                                   TileColor& color) {
+KREDA_BATCH_LOOP void scatter_runs(const raster::Channel3& radiance, const Run* runs, int count, TileColor& color) {
     int first = 0;
-    for (int r = 0; r < count; ++r) {
+    for (int r = 0; r < count;) {
         const int to = runs[r].y * kTileSide + runs[r].x;
-        copy_run(radiance.x + first, runs[r].count, color.plane[0] + to);
-        copy_run(radiance.y + first, runs[r].count, color.plane[1] + to);
-        copy_run(radiance.z + first, runs[r].count, color.plane[2] + to);
-        first += runs[r].count;
+        const int samples = samples_without_gap(runs, count, r);
+        copy_run(radiance.x + first, samples, color.plane[0] + to);
+        copy_run(radiance.y + first, samples, color.plane[1] + to);
+        copy_run(radiance.z + first, samples, color.plane[2] + to);
+        first += samples;
     }
 }
 
@@ -125,7 +135,8 @@ void write_views(const Frame& frame, const Run* runs, int count, TileScratch& sc
     const BatchChannels batch{scratch.fragments, scratch.lighting};
     for (std::size_t v = 0; v < frame.plan.views.size(); ++v) {
         const View& view = *frame.plan.views[v];
-        if (view.value && view.holds(frame.plan, runs[0].material)) write_view(view, batch, runs, count, scratch.views[v]);
+        if (view.value && view.holds(frame.plan, runs[0].material))
+            write_view(view, batch, runs, count, scratch.views[v]);
     }
 }
 
@@ -156,7 +167,7 @@ void write_film(const TileArea& area, int n, const TileColor& color, raster::Ima
         for (int y = 0; y < area.height / n; ++y) {
             float* row = film.plane(c) + static_cast<std::size_t>(y0 + y) * film.width + x0;
             if (n == 1) {
-                std::copy_n(color.plane[c] + y * kTileSide, area.width, row);
+                raster::copy_past_cache(color.plane[c] + y * kTileSide, area.width, row);
                 continue;
             }
             for (int x = 0; x < area.width / n; ++x) row[x] = mean_of_samples(color.plane[c], x, y, n);
@@ -237,6 +248,7 @@ void render_tile(const Frame& frame, int tile_index, TileScratch& scratch) {
     for (std::size_t v = 0; v < scratch.views.size(); ++v) {
         write_film(area, frame.plan.samples, scratch.views[v], frame.buffers.views[v]);
     }
+    raster::finish_copies();
     scratch.film_ms += watch.lap_ms();
 }
 
