@@ -10,6 +10,7 @@
 #include "scene/frame_shadows.hpp"
 #include "scene/stopwatch.hpp"
 #include "scene/tile_pass.hpp"
+#include "scene/visibility_check.hpp"
 
 namespace kreda::scene {
 
@@ -203,6 +204,7 @@ RenderStatistics render(const Scene& scene, const RenderPlan& plan, RenderBuffer
     render_tiles(frame);
     add_tile_times(buffers, statistics);
     statistics.times.total_ms = total.lap_ms();
+    check_visibility_if_asked(frame);
     look(frame);
     return statistics;
 }
