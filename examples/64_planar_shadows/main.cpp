@@ -1,0 +1,112 @@
+// 64_planar_shadows: flatten what casts onto the table. Four ways to do it wrong, and the right one.
+// Page docs/64_planar_shadows.md | After 12_camera | New: planar_projection(), planar_shadow()
+// Break at: planar_shadow | Look at: light_height, toward, polygon | Try: a lamp higher than the pillar
+#include "examples/example.hpp"
+#include "examples/table_scene.hpp"
+#include "raster/depth.hpp"
+#include "scene/frame_shadows.hpp"
+#include "scene/render.hpp"
+#include "shadows/bvh.hpp"
+#include "shadows/planar.hpp"
+#include "shadows/screen_triangles.hpp"
+
+using namespace kreda;
+using namespace kreda::examples;
+
+namespace {
+
+/// What drawing a shadow by hand needs to know of a rendered frame.
+struct Stage {
+    Image unshadowed;
+    shadows::VisibleFrame visible;
+    std::vector<bool> is_table;
+    std::vector<shadows::Triangle> casting;
+    glm::dvec4 plane, light;
+};
+
+Stage make_stage(glm::ivec2 size) {
+    scene::Scene scene = table_scene(size);
+    scene.shadow.method = shadows::ShadowMethod::planar;
+    const scene::RenderPlan plan = make_plan(scene);
+    scene::RenderBuffers buffers;
+    Stage stage;
+    render(scene, plan, buffers, 0, [&](const scene::Frame& frame) {
+        stage.casting = gather_triangles(find_occluders(frame, plan.shadows[0].casters).list);
+    });
+    stage.plane = plan.shadows[0].receivers[0].plane;
+    stage.light = homogeneous(plan.shadows[0].source);
+    if (glm::dot(stage.plane, stage.light) < 0.0) stage.plane = -stage.plane;  // its front is where the lamp is
+    stage.visible = buffers.visible;
+    for (const std::uint32_t seen : buffers.visible.triangle) {
+        const bool any = seen != raster::kNoTriangle;
+        stage.is_table.push_back(any && buffers.triangles.chunks[seen >> raster::kChunkShift].instance == 0);
+    }
+    scene.lights[0].shadow = false;
+    stage.unshadowed = scene::render(scene);
+    return stage;
+}
+
+/// The images of all triangles on the sample grid. Clipped between table and lamp first; or divided by w before
+/// anything is clipped, which throws what is higher than the lamp to the wrong side.
+std::vector<shadows::ScreenTriangle> flatten(const Stage& stage, bool clipped) {
+    const glm::dmat4 M = shadows::planar_projection(stage.plane, stage.light);
+    const glm::dmat4 clip_from_world(stage.visible.clip_from_world);
+    std::vector<shadows::ScreenTriangle> images;
+    for (const shadows::Triangle& t : stage.casting) {
+        std::vector<glm::dvec4> polygon = {{glm::dvec3(t.a), 1.0}, {glm::dvec3(t.b), 1.0}, {glm::dvec3(t.c), 1.0}};
+        if (clipped) polygon = shadows::between_plane_and_light(stage.plane, stage.light, t.a, t.b, t.c);
+        for (glm::dvec4& q : polygon) q = clip_from_world * (clipped ? M * q : M * q / (M * q).w);
+        for (std::size_t i = 1; i + 1 < polygon.size(); ++i) {
+            append_on_screen(glm::vec4(polygon[0]), glm::vec4(polygon[i]), glm::vec4(polygon[i + 1]),
+                             stage.visible.viewport, images);
+        }
+    }
+    return images;
+}
+
+/// Darken the picture under each image; `wanted(triangle, x, y, sample)` says where.
+template <class Wanted>
+Image darken(const Stage& stage, bool clipped, bool every_time, Wanted wanted) {
+    Image image = stage.unshadowed;
+    std::vector<bool> is_dark(stage.is_table.size(), false);
+    for (const shadows::ScreenTriangle& t : flatten(stage, clipped)) {
+        for (int y = 0; y < image.height; ++y) {
+            const shadows::SampleSpan span = covered_in_row(t, y, image.width);
+            for (int x = span.first; x <= span.last; ++x) {
+                const int i = y * image.width + x;
+                if (!wanted(t, x, y, i) || (is_dark[i] && !every_time)) continue;
+                image.set_rgb(x, y, 0.45f * image.rgb(x, y));
+                is_dark[i] = true;
+            }
+        }
+    }
+    return image;
+}
+
+void draw(const Options& options) {
+    scene::Scene scene = table_scene({options.width, options.height});
+    scene.image.samples = 3;
+    scene.shadow.method = shadows::ShadowMethod::planar;
+    render_and_save(options, "planar", scene);
+
+    const Stage stage = make_stage(panel_size(options.width, options.height, 3, 2));
+    const auto on_table = [&](const auto&, int, int, int i) { return stage.is_table[i]; };
+    const auto anywhere = [](const auto&, int, int, int) { return true; };
+    const auto nearer = [&](const shadows::ScreenTriangle& t, int x, int y, int i) {
+        const raster::DepthPlane plane =
+            depth_plane(t.a, t.b, t.c, raster::edge_function(t.a.x, t.a.y, t.b.x, t.b.y, t.c.x, t.c.y));
+        return depth_at(plane, depth_of_row(plane, y), x) < stage.visible.depth[i];
+    };
+    std::vector<Image> panels = {darken(stage, true, false, on_table), darken(stage, false, false, on_table),
+                                 darken(stage, true, false, anywhere), darken(stage, true, false, nearer),
+                                 darken(stage, true, true, on_table)};
+    const char* const captions[5] = {"right", "not clipped", "off the table", "z-fighting", "darkened twice"};
+    for (int i = 0; i < 5; ++i) draw_caption(panels[i], captions[i], text_scale(options.height));
+    save(options, "mistakes", montage(options.width, options.height, 3, panels));
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+    return run(argc, argv, "64_planar_shadows", draw);
+}
