@@ -13,10 +13,8 @@ void shadow_factors(const ExactShadow& exact, const raster::Channel3& position, 
     for (int i = count; i < raster::lanes_for(count); ++i) shadow.set(i, 1.0f);
 }
 
-void exact_shadow(const ExactShadow& exact, const VisibleSamples& samples, std::span<float> shadow,
-                  void (*rows_done)(int rows)) {
+void exact_shadow(const ExactShadow& exact, const VisibleSamples& samples, std::span<float> shadow) {
     const int width = samples.viewport.width, height = samples.viewport.height;
-    int done = 0;
 #pragma omp parallel for schedule(dynamic)
     for (int y = 0; y < height; ++y) {
         for (int x = 0; x < width; ++x) {
@@ -24,9 +22,6 @@ void exact_shadow(const ExactShadow& exact, const VisibleSamples& samples, std::
             if (samples.depth[i] >= raster::kClearDepth) continue;
             shadow[i] = any_shadow(exact.bvh, exact.light, samples.position[i]) ? 0.0f : 1.0f;
         }
-        if (rows_done == nullptr) continue;
-#pragma omp critical
-        rows_done(++done);
     }
 }
 

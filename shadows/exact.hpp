@@ -19,9 +19,7 @@ struct ExactShadow {
 /// space.
 void shadow_factors(const ExactShadow& exact, const raster::Channel3& position, int count, raster::Channel& shadow);
 
-/// The same for all visible samples of a frame: threads share it row by row. `rows_done` is called after each row with
-/// how many are done, from any thread but one at a time; null: nobody asks.
-void exact_shadow(const ExactShadow& exact, const VisibleSamples& samples, std::span<float> shadow,
-                  void (*rows_done)(int rows) = nullptr);
+/// The same for all visible samples of a frame; threads share it row by row.
+void exact_shadow(const ExactShadow& exact, const VisibleSamples& samples, std::span<float> shadow);
 
 }  // namespace kreda::shadows
