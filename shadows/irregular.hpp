@@ -11,7 +11,7 @@ namespace kreda::shadows {
 struct LightTriangle {
     Triangle world;
     glm::dvec3 edge[3];    ///< lines through the projected corners: dot(edge, q) > 0 on one side
-    glm::dvec2 corner[8];  ///< the part that the grid sees, in cells: a convex polygon
+    glm::dvec2 corner[8]{}; ///< the part that the grid sees, in cells: a convex polygon
     int corner_count = 0;
     int first_row = 0, last_row = -1;  ///< that it may touch
 };
