@@ -10,8 +10,8 @@ namespace kreda::shadows {
 /// A triangle in the light's view, made ready for the points of its cells.
 struct LightTriangle {
     Triangle world;
-    glm::dvec3 edge[3];    ///< lines through the projected corners: dot(edge, q) > 0 on one side
-    glm::dvec2 corner[8]{}; ///< the part that the grid sees, in cells: a convex polygon
+    glm::dvec3 edge[3];      ///< lines through the projected corners: dot(edge, q) > 0 on one side
+    glm::dvec2 corner[8]{};  ///< the part that the grid sees, in cells: a convex polygon
     int corner_count = 0;
     int first_row = 0, last_row = -1;  ///< that it may touch
 };
