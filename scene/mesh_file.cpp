@@ -137,7 +137,8 @@ struct CornerHash {
     }
 };
 
-/// One vertex for each different corner, in the order of first use; what no triangle uses is left out.
+/// One vertex for each different corner of a part, in the order of first use; what no triangle uses is left out. No
+/// vertex belongs to two parts, because parts differ in their material: Gouraud lights each vertex with one.
 raster::Mesh share_vertices(const ObjPolygons& obj, const Triangles& triangles) {
     const auto has = [&](int ObjCorner::*index) {
         return std::any_of(triangles.corners.begin(), triangles.corners.end(),
@@ -149,14 +150,18 @@ raster::Mesh share_vertices(const ObjPolygons& obj, const Triangles& triangles) 
     mesh.indices.reserve(triangles.corners.size());
     std::unordered_map<ObjCorner, std::uint32_t, CornerHash> vertex_of_corner;
     vertex_of_corner.reserve(obj.positions.size());
-    for (const ObjCorner& c : triangles.corners) {
-        const auto [vertex, is_new] =
-            vertex_of_corner.try_emplace(c, static_cast<std::uint32_t>(mesh.positions.size()));
-        mesh.indices.push_back(vertex->second);
-        if (!is_new) continue;
-        mesh.positions.push_back(obj.positions[std::size_t(c.position)]);
-        if (has_uvs) mesh.uvs.push_back(c.uv >= 0 ? obj.uvs[std::size_t(c.uv)] : glm::vec2(0.0f));
-        if (has_normals) mesh.normals.push_back(obj.normals[std::size_t(c.normal)]);
+    for (const raster::MeshPart& part : mesh.parts) {
+        vertex_of_corner.clear();
+        const auto corners = std::span(triangles.corners).subspan(3 * std::size_t(part.first_triangle));
+        for (const ObjCorner& c : corners.first(3 * std::size_t(part.triangle_count))) {
+            const auto [vertex, is_new] =
+                vertex_of_corner.try_emplace(c, static_cast<std::uint32_t>(mesh.positions.size()));
+            mesh.indices.push_back(vertex->second);
+            if (!is_new) continue;
+            mesh.positions.push_back(obj.positions[std::size_t(c.position)]);
+            if (has_uvs) mesh.uvs.push_back(c.uv >= 0 ? obj.uvs[std::size_t(c.uv)] : glm::vec2(0.0f));
+            if (has_normals) mesh.normals.push_back(obj.normals[std::size_t(c.normal)]);
+        }
     }
     return mesh;
 }

@@ -39,8 +39,10 @@ void explain_directions(const LitPoint& point, const LightingChannels& c, Sectio
     const glm::vec3 normal = point.points.normal.at(0);
     section.equation("p", "", "", p, "world space");
     section.equation("|normal|", "√(normal·normal)", "", std::sqrt(glm::dot(normal, normal)));
-    section.equation("n", "normal / |normal|", vector_text(normal) + " / " + number_text(glm::length(normal)),
-                     c.n.at(0));
+    const bool bent = point.frame.plan.materials[point.material].map_needs.tangent;
+    section.equation(bent ? "n0" : "n", "normal / |normal|",
+                     vector_text(normal) + " / " + number_text(glm::length(normal)), lighting::unit(normal));
+    if (bent) explain_bent_normal(point, c, section);
     if (point.frame.lighting.orthographic) {
         section.equation("v", "-forward", "", c.v.at(0), "the same everywhere: orthographic");
         return;
@@ -52,10 +54,12 @@ void explain_directions(const LitPoint& point, const LightingChannels& c, Sectio
 
 /// What is there without any light.
 void explain_ambient(const LitPoint& point, const LightingChannels& c, Section& section) {
-    const lighting::Material& material = point.frame.plan.materials[point.material].material;
+    const lighting::MaterialSetup& setup = point.frame.plan.materials[point.material];
+    const lighting::Material& material = setup.material;
     const lighting::PhongMaterial& m = material.phong;
     if (material.model == ReflectionModel::unlit) {
-        section.equation("ambient", "m_D + m_E", vector_text(m.diffuse) + " + " + vector_text(m.emission),
+        const glm::vec3 m_D = setup.maps.diffuse.texture ? c.m_D.at(0) : m.diffuse;
+        section.equation("ambient", "m_D + m_E", vector_text(m_D) + " + " + vector_text(m.emission),
                          c.ambient.at(0), "unlit: no light matters");
     } else if (material.model == ReflectionModel::cook_torrance) {
         section.equation("ambient", "m_E", "", c.ambient.at(0), "the microfacet model knows no ambient light");
@@ -158,6 +162,7 @@ glm::vec3 explain_lighting(const LitPoint& point, Derivation& derivation) {
     const std::size_t light_count = lit ? point.frame.lighting.lights.size() : 0;
     std::unique_ptr<LightingChannels> before = channels_after(point, 0);
 
+    explain_maps(point, *before, derivation);
     Section base{point.id + "surface", point.name + "the surface and what it shows without lamps", {}};
     base.say("Material \"" + material.name + "\", model " + word_for("material", "model", material.model) + ".");
     if (lit) explain_directions(point, *before, base);

@@ -23,6 +23,12 @@ struct LitPoint {
 /// before fog: what scene::shade_points() leaves in its channel.
 glm::vec3 explain_lighting(const LitPoint& point, Derivation& derivation);
 
+/// A section with what the maps say and where they were read; nothing without maps.
+void explain_maps(const LitPoint& point, const lighting::LightingChannels& c, Derivation& derivation);
+
+/// Where a normal map is read: t, b, m and n, after the interpolated normal n0.
+void explain_bent_normal(const LitPoint& point, const lighting::LightingChannels& c, Section& section);
+
 /// One light's terms by the point's reflection model, symbol by symbol, before they are multiplied by what the light
 /// sends. `after`: the channels once this light was added.
 struct ExplainedTerms {

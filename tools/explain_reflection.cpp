@@ -145,7 +145,8 @@ ExplainedTerms explain_threads(const Directions& d, const PhongMaterial& m, Sect
 ExplainedTerms explain_reflection(const lighting::MaterialSetup& material, const lighting::LightingChannels& after,
                                   Section& section) {
     const Directions d{after.n.at(0), after.l.at(0), after.v.at(0), after.t.at(0)};
-    const PhongMaterial& m = material.material.phong;
+    PhongMaterial m = material.material.phong;
+    if (material.maps.diffuse.texture) m.diffuse = after.m_D.at(0);
     switch (material.material.model) {
         case ReflectionModel::unlit:
             return {};

@@ -238,6 +238,16 @@ TEST_CASE("mesh file: maps are found beside their MTL and absent ones only warn"
     CHECK(mentions(loaded.warnings, "a.mtl:6:1: 'map_Bump' is ignored"));
 }
 
+TEST_CASE("mesh file: parts of different materials share no vertex") {
+    const TempFolder folder;
+    folder.write("m.mtl", "newmtl red\nKd 1 0 0\nnewmtl blue\nKd 0 0 1\n");
+    const LoadedMesh loaded = load_mesh_file(folder.write(
+        "a.obj", "mtllib m.mtl\nv 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\nusemtl red\nf 1 2 3\nusemtl blue\nf 1 3 4\n"));
+    REQUIRE(loaded.mesh.parts.size() == 2);
+    CHECK(loaded.mesh.positions.size() == 6);
+    CHECK(loaded.mesh.indices == std::vector<std::uint32_t>{0, 1, 2, 3, 4, 5});
+}
+
 TEST_CASE("mesh file: several materials in several files with blanks in their names") {
     const TempFolder folder;
     folder.write("red and blue.mtl", "newmtl dark red\nKd 1 0 0\nnewmtl blue\nKd 0 0 1\n");

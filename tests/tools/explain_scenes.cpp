@@ -54,6 +54,13 @@ std::vector<NamedScene> scenes_to_explain() {
     add("brushed", model("ward") + "ward_alpha = [0.1, 0.4]\ngrain = [1, 0, 0]\n");
     add("gold", microfacets("measured = \"gold\"\nfresnel = \"exact\"\n"));
     add("energy compensation", microfacets("energy_compensation = \"kulla_conty\"\n"));
+    const std::string maps = "maps = \"" KREDA_SOURCE_DIR "/examples/44_materials/tiles/*.png\"\n";
+    add("maps", microfacets(maps + "texture_scale = [3, 2]\n"));
+    add("maps on a model without microfacets", model("phong") + maps + "texture_filter = \"bilinear\"\n");
+    add("maps, nothing lit", model("unlit") + maps + "texture_filter = \"nearest\"\n");
+    add("maps, green down", model("ward") + maps + "normal_map_y = \"down\"\ntexture_wrap = \"clamp\"\n");
+    add("maps, gouraud", model("lambert") + maps, "[shading]\nfrequency = \"gouraud\"\n");
+    add("maps, flat", microfacets(maps), "[shading]\nfrequency = \"flat\"\n");
     add("gouraud", model("phong"), "[shading]\nfrequency = \"gouraud\"\n");
     add("flat", model("phong"), "[shading]\nfrequency = \"flat\"\n");
     add("affine", model("phong"), "[shading]\ninterpolation = \"affine\"\n");
