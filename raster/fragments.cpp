@@ -168,11 +168,14 @@ inline void fill_uv_steps(const glm::vec2* uv, const std::array<std::uint32_t, 3
     fill_steps(weights, lanes, t, out.v.value + first, out.dv_dx.value + first, out.dv_dy.value + first);
 }
 
-/// Every sample of a run lies on the same triangle.
-inline void fill_face_normal(const glm::vec3* position, const std::array<std::uint32_t, 3>& v, int lanes, Channel3& out,
-                             int first) {
-    const glm::vec3 normal = glm::cross(position[v[1]] - position[v[0]], position[v[2]] - position[v[0]]);
-    for (int i = first; i < first + lanes; ++i) out.set(i, normal);
+/// Every sample of a run lies on the same triangle. Its corners are in the order that the screen asks for, so the normals
+/// of the vertices say which side is meant.
+inline void fill_face_normal(const glm::vec3* position, const glm::vec3* normal, const std::array<std::uint32_t, 3>& v,
+                             int lanes, Channel3& out, int first) {
+    const glm::vec3 across = glm::cross(position[v[1]] - position[v[0]], position[v[2]] - position[v[0]]);
+    const glm::vec3 outside = normal[v[0]] + normal[v[1]] + normal[v[2]];
+    const glm::vec3 face_normal = glm::dot(across, outside) < 0.0f ? -across : across;
+    for (int i = first; i < first + lanes; ++i) out.set(i, face_normal);
 }
 
 inline void interpolate_tangent(const glm::vec4* tangent, const std::array<std::uint32_t, 3>& v, const RowPart& b,
@@ -191,7 +194,7 @@ inline void blend_run(const Attributes& in, const std::array<std::uint32_t, 3>& 
                       Fragments& out, int first) {
     if (in.position) blend3(b, lanes, in.position, v, out.position, first);
     if (in.normal) blend3(b, lanes, in.normal, v, out.normal, first);
-    if (in.face_corners) fill_face_normal(in.face_corners, v, lanes, out.face_normal, first);
+    if (in.face_corners) fill_face_normal(in.face_corners, in.normal, v, lanes, out.face_normal, first);
     if (in.color) blend3(b, lanes, in.color, v, out.color, first);
     if (in.uv) interpolate_uv(in.uv, v, b, lanes, out, first);
     if (in.tangent) interpolate_tangent(in.tangent, v, b, lanes, out, first);

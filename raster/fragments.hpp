@@ -53,7 +53,7 @@ struct Fragments {
     std::uint32_t sample[kChannelSize];  ///< its number in the picture, row by row from the top; only for what was found there
     Channel3 position;  ///< world space
     Channel3 normal;    ///< world space, as interpolated: not normalized
-    Channel3 face_normal;  ///< world space, perpendicular to the triangle itself, on one side or the other; any length
+    Channel3 face_normal;  ///< world space, perpendicular to the triangle, on the side of the vertices' normals; any length
     Channel3 color;     ///< lit at the vertices (Gouraud) or once a triangle (flat)
     Channel fog;        ///< fog factor of the vertices
     Channel u, v;       ///< texture coordinates
@@ -67,7 +67,7 @@ struct Fragments {
 struct FragmentNeeds {
     bool position = false;
     bool normal = false;
-    bool face_normal = false;
+    bool face_normal = false;  ///< with normal
     bool color = false;
     bool uv = false;
     bool uv_steps = false;  ///< with uv: how far it is to the neighbouring samples' uv

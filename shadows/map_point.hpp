@@ -114,16 +114,27 @@ struct PictureScale {
     return {2.0f * view.half_size / side, side / (2.0f * view.half_size), 0.5f * side};
 }
 
-/// q: the point, n_view: a unit normal of its surface (either side), both in the axes of a directional light.
+/// How far a point is moved along its normal, times least_normal_offset(). A surface that turns its back to the light
+/// is dark because its own other side is nearer; close to the outline that side may miss the texel's centre, so the
+/// point is looked up a little inside.
+inline float offset_factor(const BiasTerms& bias, float cosine) {
+    return cosine < 0.0f ? -(bias.normal_offset + bias.slope) : bias.normal_offset;
+}
+
+/// How much of least_bias() is taken off the distance: nothing on the side that is dark anyway.
+inline float slope_factor(const BiasTerms& bias, float cosine) {
+    return cosine < 0.0f ? 0.0f : bias.slope;
+}
+
+/// q: the point, n_view: the unit normal of its surface, both in the axes of a directional light.
 inline MapPoint map_point_parallel(const glm::vec3& q, const glm::vec3& n_view, const PictureScale& scale,
                                    const BiasTerms& bias) {
-    const float to_light = n_view.z < 0.0f ? -bias.normal_offset : bias.normal_offset;
-    const glm::vec3 moved = q + n_view * (to_light * least_normal_offset(n_view, scale.texel));
+    const glm::vec3 moved = q + n_view * (offset_factor(bias, n_view.z) * least_normal_offset(n_view, scale.texel));
     const DepthSlope slope = slope_parallel(n_view, scale.texel);
     MapPoint point;
     point.u = moved.x * scale.texels_per_unit.x + scale.half_side;
     point.v = scale.half_side - moved.y * scale.texels_per_unit.y;
-    point.distance = -moved.z - bias.constant - bias.slope * least_bias(slope);
+    point.distance = -moved.z - bias.constant - slope_factor(bias, n_view.z) * least_bias(slope);
     point.slope = {slope.u * bias.follow_plane, slope.v * bias.follow_plane};
     return point;
 }
@@ -134,15 +145,16 @@ inline MapPoint map_point_perspective(const glm::vec3& q, const glm::vec3& n_vie
                                       const BiasTerms& bias) {
     constexpr float kTiny = 1e-20f;
     const float before = -q.z > kTiny ? -q.z : kTiny;
-    const float to_light = glm::dot(n_view, q) > 0.0f ? -bias.normal_offset : bias.normal_offset;
-    const glm::vec3 moved = q + n_view * (to_light * least_normal_offset(n_view, scale.texel * before));
+    const float cosine = -glm::dot(n_view, q);  // its sign
+    const glm::vec3 moved =
+        q + n_view * (offset_factor(bias, cosine) * least_normal_offset(n_view, scale.texel * before));
     const float distance = -moved.z > kTiny ? -moved.z : kTiny;
     const float inverse = 1.0f / distance;
     const DepthSlope slope = slope_perspective(n_view, moved, distance, scale.texel);
     MapPoint point;
     point.u = moved.x * inverse * scale.texels_per_unit.x + scale.half_side;
     point.v = scale.half_side - moved.y * inverse * scale.texels_per_unit.y;
-    point.distance = distance - bias.constant - bias.slope * least_bias(slope);
+    point.distance = distance - bias.constant - slope_factor(bias, cosine) * least_bias(slope);
     point.slope = {slope.u * bias.follow_plane, slope.v * bias.follow_plane};
     return point;
 }

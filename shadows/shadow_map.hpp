@@ -62,7 +62,7 @@ void draw_shadow_map(std::vector<raster::MeshInstance>& casters, const ShadowMap
 [[nodiscard]] raster::Image shadow_map_picture(const ShadowMap& map);
 
 /// shadow = share of the light that reaches each point: 1 lit .. 0 in shadow. Shape: see shadow.hpp.
-/// `normal`: perpendicular to the surface, on either side, any length; the bias needs it.
+/// `normal`: perpendicular to the surface, outward, any length; the bias needs it.
 void shadow_factors(const ShadowMap& map, const raster::Channel3& position, const raster::Channel3& normal, int count,
                     raster::Channel& shadow);
 
