@@ -25,9 +25,12 @@ def expect(failures, command, pattern):
 def check_stages(failures):
     """Run through: the stages are reached in the order of the list, each of them."""
     expect(failures, "point", "not running; stop at a pixel first")
-    names = [line.split()[1] for line in say("stages break").splitlines() if line.split()[0].isdigit()]
-    reached = []
+    say("tbreak make_plan")  # planning where a light's map must reach calls the clipper, too: what is drawn comes behind it
     say("run")
+    say("finish")
+    names = [line.split()[1] for line in say("stages break").splitlines() if line.split()[0].isdigit()][1:]
+    reached = []
+    say("continue")
     while gdb.selected_inferior().pid:
         frame = gdb.newest_frame()
         reached.append(re.match(r"(?:\w+::|\(anonymous namespace\)::)*(\w+)", frame.function().name).group(1))
@@ -92,7 +95,7 @@ def check_steps(failures):
     expect(failures, "break add_blinn_phong", "Breakpoint")
     expect(failures, "pixel 48 40", "shaded next")
     say("continue")
-    for _ in range(4):
+    for _ in range(12):
         say("step")
         if gdb.newest_frame().name().endswith("::blinn_phong"):
             return
