@@ -37,9 +37,13 @@ void for_each_batch(int total, Work work) {
     }
 }
 
-/// The vertices that a part uses: an unbroken range, because no vertex belongs to two parts.
-struct VertexRange { std::uint32_t first = 0, end = 0; };
+/// The vertices that a part uses: an unbroken range, because no vertex belongs to two parts. All of them where there is
+/// one part: looking through its indices would take as long as lighting its vertices.
+struct VertexRange {
+    std::uint32_t first = 0, end = 0;
+};
 VertexRange vertices_of_part(const raster::Mesh& mesh, const raster::MeshPart& part) {
+    if (mesh.parts.size() == 1) return {0, static_cast<std::uint32_t>(mesh.positions.size())};
     const auto begin = mesh.indices.begin() + 3 * static_cast<std::ptrdiff_t>(part.first_triangle);
     const auto end = begin + 3 * static_cast<std::ptrdiff_t>(part.triangle_count);
     if (begin == end) return {};
@@ -51,7 +55,7 @@ void light_range(const Frame& frame, std::uint32_t material, std::uint32_t first
     raster::VertexStreams& streams = frame.buffers.streams;
     for_each_batch(total, [&](int begin, int count, LightingScratch& scratch) {
         const std::uint32_t from = first + static_cast<std::uint32_t>(begin);
-        for (int i = 0; i < count; ++i) set_vertex_point(streams, from + static_cast<std::uint32_t>(i), i, scratch.points);
+        set_vertex_points(streams, from, count, scratch.points);
         shade_points(frame, scratch.points, material, scratch.channels);
         for (int i = 0; i < count; ++i) streams.color[from + i] = scratch.channels.radiance.at(i);
     });
@@ -74,6 +78,11 @@ void light_chunk(const Frame& frame, const raster::TriangleChunk& chunk, std::ve
     }
 }
 
+/// A stream of vectors -> x, y and z apart.
+void copy_points(const glm::vec3* __restrict from, int count, raster::Channel3& to) {
+    for (int i = 0; i < count; ++i) to.set(i, from[i]);
+}
+
 void set_uv(const glm::vec2& uv, const glm::vec2& step_x, const glm::vec2& step_y, int i, raster::Fragments& points) {
     points.u.set(i, uv.x);
     points.v.set(i, uv.y);
@@ -90,12 +99,17 @@ void set_tangent(const glm::vec4& tangent, int i, raster::Fragments& points) {
 
 }  // namespace
 
-void set_vertex_point(const raster::VertexStreams& streams, std::uint32_t vertex, int i, raster::Fragments& points) {
-    points.position.set(i, streams.position_world[vertex]);
-    points.normal.set(i, streams.normal_world[vertex]);
-    points.face_normal.set(i, streams.normal_world[vertex]);
-    if (!streams.uv.empty()) set_uv(streams.uv[vertex], glm::vec2(0.0f), glm::vec2(0.0f), i, points);
-    if (!streams.tangent_world.empty()) set_tangent(streams.tangent_world[vertex], i, points);
+void set_vertex_points(const raster::VertexStreams& streams, std::uint32_t first, int count,
+                       raster::Fragments& points) {
+    copy_points(&streams.position_world[first], count, points.position);
+    copy_points(&streams.normal_world[first], count, points.normal);
+    copy_points(&streams.normal_world[first], count, points.face_normal);
+    for (int i = 0; i < count && !streams.uv.empty(); ++i) {
+        set_uv(streams.uv[first + static_cast<std::uint32_t>(i)], glm::vec2(0.0f), glm::vec2(0.0f), i, points);
+    }
+    for (int i = 0; i < count && !streams.tangent_world.empty(); ++i) {
+        set_tangent(streams.tangent_world[first + static_cast<std::uint32_t>(i)], i, points);
+    }
 }
 
 float orientation_of(const glm::mat4& world_from_object) {
@@ -129,8 +143,8 @@ void light_vertices(const Frame& frame) {
     for (const raster::MeshInstance& instance : frame.buffers.instances) {
         for (std::size_t p = 0; p < instance.mesh->parts.size(); ++p) {
             const VertexRange range = vertices_of_part(*instance.mesh, instance.mesh->parts[p]);
-            light_range(frame, static_cast<std::uint32_t>(instance.part_material[p]), instance.first_vertex + range.first,
-                        static_cast<int>(range.end - range.first));
+            light_range(frame, static_cast<std::uint32_t>(instance.part_material[p]),
+                        instance.first_vertex + range.first, static_cast<int>(range.end - range.first));
         }
     }
 }

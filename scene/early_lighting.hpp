@@ -15,9 +15,9 @@ void fog_vertices(const Frame& frame);
 /// Flat: light every triangle that reached the tiles once, at its centroid with its own normal, into flat_color.
 void light_triangles(const Frame& frame);
 
-/// A vertex of the streams as point i of a batch that is lit. Maps are read there, at level 0: it has no neighbour that
-/// would say how far the texture is stretched.
-void set_vertex_point(const raster::VertexStreams& streams, std::uint32_t vertex, int i, raster::Fragments& points);
+/// Vertices of the streams, from `first` on, as points 0 .. count-1 of a batch that is lit. Maps are read there, at
+/// level 0: a vertex has no neighbour that would say how far the texture is stretched.
+void set_vertex_points(const raster::VertexStreams& streams, std::uint32_t first, int count, raster::Fragments& points);
 
 /// Centroid and normal of a triangle of the scene in world space, before any clipping, as point i of a batch.
 /// Maps are read at the centroid's uv; the steps of uv are half of two edges, so that the level is that of a sample as
