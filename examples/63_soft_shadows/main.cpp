@@ -1,0 +1,50 @@
+// 63_soft_shadows: a light with a width; umbra and penumbra grow with the distance from what casts.
+// Page docs/63_soft_shadows.md | After 62_pcf | New: find_blockers(), filter_penumbra(), half_cone()
+// Break at: find_blockers | Look at: setup, cells | Try: light_size 0.5
+#include <algorithm>
+
+#include "examples/example.hpp"
+#include "examples/table_scene.hpp"
+#include "scene/render.hpp"
+
+using namespace kreda;
+using namespace kreda::examples;
+
+namespace {
+
+scene::Scene make_scene(glm::ivec2 size, float light_size) {
+    scene::Scene scene = table_scene(size);
+    scene.lights = {directional_light({-1.0f, -1.1f, -0.6f})};
+    scene.lights[0].shadow = true;
+    scene.shadow.method = shadows::ShadowMethod::map;
+    scene.shadow.filter = light_size > 0.0f ? shadows::ShadowFilter::pcss : shadows::ShadowFilter::none;
+    scene.shadow.light_size = light_size;
+    return scene;
+}
+
+/// The width of the penumbra where there is one: the wider, the brighter.
+Image penumbra_panel(glm::ivec2 size, float light_size) {
+    const scene::Scene scene = make_scene(size, light_size);
+    scene::RenderBuffers buffers;
+    render(scene, make_plan(scene, {scene::find_view("penumbra")}), buffers);
+    std::vector<float> values = buffers.views[0].values;
+    for (float& value : values) value = std::min(value / 0.3f, 1.0f);
+    return grey_image(size.x, size.y, values);
+}
+
+void draw(const Options& options) {
+    const glm::ivec2 size = panel_size(options.width, options.height, 2, 2);
+    Image penumbra = penumbra_panel(size, 0.2f);
+    draw_caption(penumbra, "width of the penumbra", text_scale(options.height));
+    save(options, "soft",
+         montage(options.width, options.height, 2,
+                 {captioned(make_scene(size, 0.0f), "no width", options.height),
+                  captioned(make_scene(size, 0.05f), "width 0.05", options.height),
+                  captioned(make_scene(size, 0.2f), "width 0.2", options.height), penumbra}));
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+    return run(argc, argv, "63_soft_shadows", draw);
+}
