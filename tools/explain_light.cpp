@@ -1,5 +1,6 @@
 #include "tools/explain_light.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <memory>
 
@@ -104,8 +105,30 @@ std::string explain_cone(const LightSetup& light, const LightingChannels& c, Sec
     return number_text(cone);
 }
 
+/// What the light sends, before any shadow.
+lighting::LightSample sample_of(const LightSetup& light, const glm::vec3& p) {
+    switch (light.type) {
+        case lighting::LightType::directional:
+            return sample_directional(light);
+        case lighting::LightType::point:
+            return sample_point(light, p);
+        case lighting::LightType::spot:
+            return sample_spot(light, p);
+    }
+    return {};
+}
+
+/// Light k of those that are on.
+bool casts_shadow(const scene::Frame& frame, std::size_t k) {
+    const auto& shadows = frame.plan.shadows;
+    return std::any_of(shadows.begin(), shadows.end(), [k](const scene::PlannedShadow& shadow) {
+        return shadow.light_that_is_on == static_cast<int>(k);
+    });
+}
+
 /// l and s of a light, and what a shadow leaves of it.
-void explain_sample(const LitPoint& point, const LightSetup& light, const LightingChannels& c, Section& section) {
+void explain_sample(const LitPoint& point, std::size_t k, const LightingChannels& c, Section& section) {
+    const LightSetup& light = point.frame.lighting.lights[k];
     const glm::vec3 p = point.points.position.at(0);
     std::string factors = vector_text(light.radiance);
     std::string formula = "color intensity";
@@ -120,7 +143,16 @@ void explain_sample(const LitPoint& point, const LightSetup& light, const Lighti
         factors += " · " + explain_cone(light, c, section);
         formula += " cone";
     }
-    section.equation("s", formula, factors, c.irradiance.at(0), "what arrives on a plane that faces the light");
+    const lighting::LightSample unshadowed = sample_of(light, p);
+    section.equation("s", formula, factors, unshadowed.irradiance, "what arrives on a plane that faces the light");
+    if (!casts_shadow(point.frame, k)) return;
+    const float lit = c.shadow.at(0);
+    section.equation("shadow", "", "", lit,
+                     lit == 1.0f   ? "nothing stands before this light"
+                     : lit == 0.0f ? "something stands before this light"
+                                   : "partly in shadow");
+    section.equation("s", "shadow s", number_text(lit) + " · " + vector_text(unshadowed.irradiance), c.irradiance.at(0),
+                     "what is left of it");
 }
 
 Section light_section(const LitPoint& point, std::size_t k, const LightSetup& light) {
@@ -136,7 +168,7 @@ void explain_light(const LitPoint& point, std::size_t k, const LightingChannels&
                    Derivation& derivation) {
     const LightSetup& light = point.frame.lighting.lights[k];
     Section section = light_section(point, k, light);
-    explain_sample(point, light, after, section);
+    explain_sample(point, k, after, section);
     const ExplainedTerms terms = explain_reflection(point.frame.plan.materials[point.material], after, section);
     const glm::vec3 s = after.irradiance.at(0);
     section.equation("L_D", "s ⊗ f_D", vector_text(s) + " ⊗ " + vector_text(terms.diffuse), s * terms.diffuse,

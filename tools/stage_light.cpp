@@ -106,6 +106,8 @@ void visit_one_light(const Scene& scene, std::size_t light, const std::vector<co
         if (!lit_early) views.push_back(scene::find_view(name));
     }
     if (lit_early) views.push_back(scene::find_view("radiance"));
+    const RenderPlan plan = make_plan(alone);
+    std::erase_if(views, [&](const View* view) { return !can_show(plan, alone, *view); });
     scene::RenderBuffers buffers;
     render(alone, make_plan(alone, views), buffers);
     const std::string number = std::to_string(light);

@@ -1,6 +1,8 @@
 #include "tests/tools/explain_scenes.hpp"
 
+#include "scene/image_file.hpp"
 #include "scene/read_scene.hpp"
+#include "tests/scene/temp_folder.hpp"
 
 namespace kreda::tests {
 
@@ -30,12 +32,40 @@ std::string microfacets(const std::string& more) {
     return "model = \"cook_torrance\"\nalbedo = [0.9, 0.6, 0.3]\nmetallic = 0.4\nroughness = 0.35\n" + more;
 }
 
+/// Three small pictures of numbers that are all different.
+void write_textures(const TempFolder& folder) {
+    raster::Image image = raster::make_image(8, 4, 3);
+    for (std::size_t i = 0; i < image.values.size(); ++i)
+        image.values[i] = 0.2f + 0.6f * static_cast<float>(i * 37 % 96) / 96.0f;
+    scene::write_png(folder.file("colors.png"), image);
+    image.channels = 1;
+    image.values.resize(32);
+    scene::write_png(folder.file("grey.png"), image);
+    raster::Image bumps = raster::make_image(8, 4, 3);
+    for (int i = 0; i < 32; ++i) {
+        bumps.set_rgb(i % 8, i / 8,
+                      {0.5f + 0.02f * static_cast<float>(i % 5), 0.45f + 0.02f * static_cast<float>(i % 7), 0.95f});
+    }
+    scene::write_png(folder.file("bumps.png"), bumps);
+}
+
+void replace_all(std::string& text, const std::string& old_words, const std::string& new_words) {
+    for (std::size_t at = 0; (at = text.find(old_words, at)) != std::string::npos; at += new_words.size()) {
+        text.replace(at, old_words.size(), new_words);
+    }
+}
+
 }  // namespace
 
 std::vector<NamedScene> scenes_to_explain() {
     std::vector<NamedScene> scenes;
-    const auto add = [&](const std::string& name, const std::string& material, const std::string& more = {}) {
-        scenes.push_back({name, scene::read_scene_text(ball_and_wall(material, more), name, "")});
+    const TempFolder folder;
+    write_textures(folder);
+    const auto add = [&](const std::string& name, const std::string& material, const std::string& more = {},
+                         bool shadows = false) {
+        std::string text = ball_and_wall(material, more);
+        if (shadows) replace_all(text, "[[light]]\n", "[[light]]\nshadow = true\n");
+        scenes.push_back({name, scene::read_scene_text(text, name, folder.path.string())});
     };
     for (const char* name : {"unlit", "lambert", "phong", "blinn_phong", "ward", "heidrich_seidel"})
         add(name, model(name));
@@ -70,6 +100,11 @@ std::vector<NamedScene> scenes_to_explain() {
     add("fog at vertices", model("phong"), "[fog]\nmode = \"exp\"\nfrequency = \"vertex\"\n");
     add("gouraud in fog", model("phong"),
         "[shading]\nfrequency = \"gouraud\"\n[fog]\nmode = \"exp\"\nfrequency = \"vertex\"\n");
+    add("shadows", model("blinn_phong"), "[shadow]\nsize = 128\nfilter = \"pcf\"\n", true);
+    add("shadows, flat", model("blinn_phong"), "[shading]\nfrequency = \"flat\"\n[shadow]\nsize = 128\n", true);
+    add("maps", microfacets("albedo_map = \"colors.png\"\nroughness_map = \"grey.png\"\nnormal_map = \"bumps.png\"\n"));
+    add("diffuse map", model("phong") + "diffuse_map = \"colors.png\"\ntexture_filter = \"bilinear\"\n");
+    add("unlit map", model("unlit") + "diffuse_map = \"colors.png\"\n");
     add("no culling", model("phong"), "[shading]\ncull = \"none\"\n");
     for (NamedScene& named : scenes) named.scene.image.samples = 1;
 
