@@ -1,10 +1,12 @@
 #include "scene/plan.hpp"
 
 #include <algorithm>
+#include <cstdio>
 
 #include "lighting/passes.hpp"
 #include "raster/platform.hpp"
 #include "scene/map_meshes.hpp"
+#include "scene/plan_cost.hpp"
 #include "scene/shadow_words.hpp"
 
 namespace kreda::scene {
@@ -255,6 +257,7 @@ RenderPlan make_plan(const Scene& scene, const std::vector<const View*>& views) 
         plan_tiles(scene, plan);
     }
     plan_film(scene, sizes, plan);
+    estimate_costs(scene, plan);
     list_left_out(plan);
     if (plan.shadows.empty() && shadow_plan.why_not.empty()) {
         plan.left_out.push_back({"shadows", "no light that is on has shadow = true"});
@@ -273,6 +276,27 @@ bool can_show(const RenderPlan& plan, const Scene& scene, const View& view) {
     return false;
 }
 
+namespace {
+
+/// "1.25 billion"
+std::string short_count(double count) {
+    const bool billions = count >= 1e9, millions = count >= 1e6;
+    char text[40];
+    std::snprintf(text, sizeof text, "%.3g", billions ? count * 1e-9 : millions ? count * 1e-6 : count);
+    return std::string(text) + (billions ? " billion" : millions ? " million" : "");
+}
+
+std::string cost_line(const PassCost& cost) {
+    if (cost.items.empty()) return "";
+    const bool upper_bound = cost.items == "samples";
+    char each[32];
+    std::snprintf(each, sizeof each, "%.0f", cost.operations_each);
+    return std::string("     cost: ") + (upper_bound ? "at most " : "") + std::to_string(cost.count) + " " + cost.items +
+           " x " + each + " operations = " + short_count(cost.operations()) + "\n";
+}
+
+}  // namespace
+
 std::string describe(const RenderPlan& plan, bool with_left_out) {
     std::string text;
     int number = 1;
@@ -281,7 +305,14 @@ std::string describe(const RenderPlan& plan, bool with_left_out) {
         for (const PlannedBuffer& buffer : pass.buffers) {
             text += "     " + buffer.name + ": " + std::to_string(buffer.bytes) + " bytes\n";
         }
+        text += cost_line(pass.cost);
     }
+    const bool all_estimated = std::all_of(plan.passes.begin(), plan.passes.end(), [](const PlannedPass& pass) {
+        return !pass.cost.items.empty() || pass.name.starts_with("view ");
+    });
+    text += "together: at most " + short_count(total_operations(plan)) + " operations" +
+            (all_estimated ? "" : " and those of the passes without an estimate") + ", " +
+            std::to_string(total_bytes(plan)) + " bytes of buffers\n";
     if (with_left_out) {
         for (const LeftOutPass& pass : plan.left_out) text += "-  " + pass.name + ": left out, " + pass.why_not + "\n";
     }

@@ -21,10 +21,22 @@ struct PlannedBuffer {
     std::uint64_t bytes = 0;
 };
 
+/// What a pass does at most, estimated from counts: see plan_cost.hpp.
+struct PassCost {
+    std::string items;           ///< "vertices", "samples"; empty: not estimated
+    std::uint64_t count = 0;
+    double operations_each = 0.0;
+
+    [[nodiscard]] double operations() const {
+        return static_cast<double>(count) * operations_each;
+    }
+};
+
 struct PlannedPass {
     std::string name;
     std::string reason;  ///< what in the scene asks for it
     std::vector<PlannedBuffer> buffers;
+    PassCost cost = {};
 };
 
 /// A pass that this scene does not need, and what would need it.
@@ -60,7 +72,7 @@ struct RenderPlan {
 /// Does anything in the scene write this view?
 [[nodiscard]] bool can_show(const RenderPlan& plan, const Scene& scene, const View& view);
 
-/// The plan as text for people: a line a pass with its reason and the bytes of its buffers.
+/// The plan as text for people: a line a pass with its reason, the bytes of its buffers and its cost; at last their sums.
 [[nodiscard]] std::string describe(const RenderPlan& plan, bool with_left_out);
 
 }  // namespace kreda::scene

@@ -1,0 +1,106 @@
+// 90_what_a_scene_requires: the plan. Five scenes, and which passes each of them needs, with what they cost.
+// Page docs/90_what_a_scene_requires.md | After 24_shading, 30_fog | New: make_plan(), PlannedPass, PassCost
+// Break at: make_plan | Look at: plan.passes, plan.left_out | Try: switch a lamp off, set fog.density to 0
+#include <cmath>
+#include <cstdio>
+
+#include "examples/example.hpp"
+#include "examples/lit_scene.hpp"
+#include "scene/plan_cost.hpp"
+#include "scene/render.hpp"
+
+using namespace kreda;
+using namespace kreda::examples;
+
+namespace {
+
+struct PlannedScene {
+    const char* name;
+    scene::Scene scene;
+};
+
+scene::Scene make_scene(glm::ivec2 size, lighting::ReflectionModel model, scene::ShadingFrequency frequency) {
+    scene::Scene scene = empty_scene(size);
+    scene.camera.position = {0.6f, 1.1f, 3.4f};
+    scene.camera.vertical_fov_deg = 40.0f;
+    scene.shading.frequency = frequency;
+    lighting::Material material = shiny(kBlue, 40.0f, model);
+    material.cook_torrance.albedo = kOrange;
+    material.cook_torrance.metallic = 1.0f;
+    material.cook_torrance.roughness = 0.35f;
+    add_shape(scene, "sphere", 24, glm::vec3(0.0f), material);
+    add_shape(scene, "plane", 1, glm::vec3(0.0f, -1.0f, -1.0f), matte(kDust));
+    scene.objects.back().world_from_object *= 3.0f;
+    scene.objects.back().world_from_object[3] = {0.0f, -1.0f, -1.0f, 1.0f};
+    scene.lights = {directional_light({-1.0f, -1.4f, -0.8f}), point_light({2.5f, 1.5f, 1.5f}, 0.8f)};
+    return scene;
+}
+
+std::vector<PlannedScene> five_scenes(glm::ivec2 size) {
+    using lighting::ReflectionModel;
+    using scene::ShadingFrequency;
+    std::vector<PlannedScene> scenes = {
+        {"unlit", make_scene(size, ReflectionModel::unlit, ShadingFrequency::phong)},
+        {"flat", make_scene(size, ReflectionModel::phong, ShadingFrequency::flat)},
+        {"Gouraud", make_scene(size, ReflectionModel::phong, ShadingFrequency::gouraud)},
+        {"fog", make_scene(size, ReflectionModel::phong, ShadingFrequency::phong)},
+        {"shadow", make_scene(size, ReflectionModel::cook_torrance, ShadingFrequency::phong)}};
+    scenes[0].scene.materials[1].model = ReflectionModel::unlit;  // the ground, too: no lamp matters
+    scenes[3].scene.fog.mode = lighting::FogMode::exp;
+    scenes[3].scene.fog.color = kDust;
+    scenes[3].scene.fog.density = 0.12f;
+    scenes[4].scene.lights[0].shadow = true;
+    return scenes;
+}
+
+/// The passes that at least one of the scenes needs, in the order of the pipeline.
+const std::vector<std::string> kPasses = {"vertices",        "shadow map", "light vertices", "triangles",
+                                          "light triangles", "visibility", "interpolate",    "light pixels",
+                                          "fog at pixels",   "film"};
+
+/// The pass of that name in the plan, or nullptr: then nothing of it is computed or allocated.
+const scene::PlannedPass* find_pass(const scene::RenderPlan& plan, const std::string& name) {
+    for (const scene::PlannedPass& pass : plan.passes) {
+        if (pass.name == name || (name == "shadow map" && pass.name.starts_with(name))) return &pass;
+    }
+    return nullptr;
+}
+
+/// A bar as long as the cost is high, from ten thousand operations to a thousand million; a dot for a pass left out.
+void draw_cell(Image& picture, const scene::PlannedPass* pass, int left, int middle, int width, int height) {
+    if (!pass) return draw_disc(picture, {left + 2, middle}, 1.2f, kSlate);
+    const double share = std::log10(std::max(pass->cost.operations(), 1e4) / 1e4) / 5.0;
+    const int length = std::max(3, static_cast<int>(width * std::min(share, 1.0)));
+    fill_rectangle(picture, left, middle - height / 2, length, height, pass->cost.operations() > 0.0 ? kOrange : kBlue);
+}
+
+void draw(const Options& options) {
+    const int scale = text_scale(options.height), left = 100 * options.width / 320, top = options.height * 5 / 18;
+    const int column = (options.width - left) / 5, row = (options.height - top) / static_cast<int>(kPasses.size());
+    const std::vector<PlannedScene> scenes = five_scenes({column - 4, top - 12 * scale});
+    Image picture = make_board(options.width, options.height);
+    for (int r = 0; r < static_cast<int>(kPasses.size()); ++r) {
+        draw_text(picture, 4 * scale, top + r * row + row / 2 - 3 * scale, kPasses[static_cast<std::size_t>(r)], kChalk,
+                  scale);
+    }
+    for (int c = 0; c < 5; ++c) {
+        const auto& [name, scene] = scenes[static_cast<std::size_t>(c)];
+        const scene::RenderPlan plan = make_plan(scene);
+        const int x = left + c * column;
+        paste(picture, scene::render(scene), x, 0);
+        draw_text(picture, x, top - 10 * scale, name, kYellow, scale);
+        for (int r = 0; r < static_cast<int>(kPasses.size()); ++r) {
+            draw_cell(picture, find_pass(plan, kPasses[static_cast<std::size_t>(r)]), x, top + r * row + row / 2,
+                      column - 6, row * 3 / 5);
+        }
+        std::printf("%-8s %2zu passes, %5.1f million operations, %8llu bytes\n", name, plan.passes.size(),
+                    1e-6 * total_operations(plan), static_cast<unsigned long long>(total_bytes(plan)));
+    }
+    save(options, "plans", picture);
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+    return run(argc, argv, "90_what_a_scene_requires", draw);
+}
