@@ -140,12 +140,17 @@ SampleFacts look_at_sample(const Frame& frame, int x, int y) {
     if (frame.buffers.triangles.chunks.empty()) return sample;
     sample.covers = scene::triangles_over(frame.buffers.streams, frame.buffers.triangles, x, y);
     sample.nearest = nearest_of(sample.covers);
-    if (sample.nearest < 0) return sample;
-    const raster::TileArea area =
-        tile_area(grid, frame.plan.viewport, grid.tile_of(y) * grid.columns + grid.tile_of(x));
+    const int tile = grid.tile_of(y) * grid.columns + grid.tile_of(x);
+    const raster::TileArea area = tile_area(grid, frame.plan.viewport, tile);
+    sample.passes = std::make_unique<scene::TileScratch>();
+    if (sample.nearest < 0) {  // what the tile shows there, whatever the background is
+        render_tile(frame, tile, *sample.passes);
+        const int place = (y - area.y) * raster::kTileSide + x - area.x;
+        for (int c = 0; c < 3; ++c) sample.radiance[c] = sample.passes->color.plane[c][place];
+        return sample;
+    }
     const raster::Run run{static_cast<std::uint16_t>(x - area.x), static_cast<std::uint16_t>(y - area.y), 1,
                           sample.seen().triangle.material, sample.seen().id};
-    sample.passes = std::make_unique<scene::TileScratch>();
     sample.passes->views.resize(frame.plan.views.size());
     work_batch(frame, area, &run, 1, *sample.passes);
     sample.radiance = sample.passes->lighting.radiance.at(0);

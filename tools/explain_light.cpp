@@ -208,10 +208,16 @@ glm::vec3 explain_lighting(const LitPoint& point, Derivation& derivation) {
     }
     Section sum{point.id + "sum", point.name + "the sum", {}};
     const glm::vec3 radiance = before->radiance.at(0);
-    sum.equation("radiance", "ambient + diffuse + specular",
-                 vector_text(before->ambient.at(0)) + " + " + vector_text(before->diffuse.at(0)) + " + " +
-                     vector_text(before->specular.at(0)),
-                 radiance, "linear RGB");
+    const glm::vec3 by_lights = before->ambient.at(0) + before->diffuse.at(0) + before->specular.at(0);
+    const std::string numbers = vector_text(before->ambient.at(0)) + " + " + vector_text(before->diffuse.at(0)) +
+                                " + " + vector_text(before->specular.at(0));
+    const bool more = radiance != by_lights;
+    if (more) {
+        sum.equation("environment", "radiance - (ambient + diffuse + specular)", "", radiance - by_lights,
+                     "light from the image around the scene: its terms are among the channels");
+    }
+    sum.equation("radiance", more ? "ambient + diffuse + specular + environment" : "ambient + diffuse + specular",
+                 more ? numbers + " + " + vector_text(radiance - by_lights) : numbers, radiance, "linear RGB");
     derivation.sections.push_back(sum);
     return radiance;
 }

@@ -66,10 +66,10 @@ const scene::PlannedPass* find_pass(const scene::RenderPlan& plan, const std::st
     return nullptr;
 }
 
-/// A bar as long as the cost is high, from ten thousand operations to a thousand million; a dot for a pass left out.
+/// A bar as long as the cost is high, from a thousand operations to a hundred million; a dot for a pass left out.
 void draw_cell(Image& picture, const scene::PlannedPass* pass, int left, int middle, int width, int height) {
     if (!pass) return draw_disc(picture, {left + 2, middle}, 1.2f, kSlate);
-    const double share = std::log10(std::max(pass->cost.operations(), 1e4) / 1e4) / 5.0;
+    const double share = std::log10(std::max(pass->cost.operations(), 1e3) / 1e3) / 5.0;
     const int length = std::max(3, static_cast<int>(width * std::min(share, 1.0)));
     fill_rectangle(picture, left, middle - height / 2, length, height, pass->cost.operations() > 0.0 ? kOrange : kBlue);
 }
