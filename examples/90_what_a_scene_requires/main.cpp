@@ -1,6 +1,6 @@
 // 90_what_a_scene_requires: the plan. Five scenes, and which passes each of them needs, with what they cost.
 // Page docs/90_what_a_scene_requires.md | After 24_shading, 30_fog | New: make_plan(), PlannedPass, PassCost
-// Break at: make_plan | Look at: plan.passes, plan.left_out | Try: switch a lamp off, set fog.density to 0
+// Break at: estimate_costs | Look at: plan.passes, plan.frequency, plan.vertex | Try: switch a lamp off, set fog.density to 0
 #include <cmath>
 #include <cstdio>
 
