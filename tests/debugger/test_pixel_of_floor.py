@@ -92,13 +92,20 @@ def check_depth_picture(failures):
     failures.extend([] if right else ["depth"])
 
 
+def seconds_of_program():
+    """Processor time of the stopped program so far."""
+    with open("/proc/%d/stat" % gdb.selected_inferior().pid) as stat:
+        fields = stat.read().rpartition(")")[2].split()
+    return (int(fields[11]) + int(fields[12])) / os.sysconf("SC_CLK_TCK")
+
+
 def main():
     gdb.execute("source " + os.environ["KREDA_HELPERS"] + "/kreda.py")
     gdb.execute("set args render %s -o floor.png" % os.environ["KREDA_SCENE"])
     failures = []
-    begin = time.monotonic()
+    begin, gdb_begin = time.monotonic(), time.process_time()
     gdb.execute("pixel %d %d" % (X, Y))
-    seconds = time.monotonic() - begin
+    seconds, work = time.monotonic() - begin, time.process_time() - gdb_begin + seconds_of_program()
     gdb.execute("break blinn_phong")
     gdb.execute("continue")
     for _ in range(4):
@@ -110,9 +117,9 @@ def main():
         check(failures, name, shown("$." + name), expected()[name])
     gdb.execute("save-png depth depth.png")
     check_depth_picture(failures)
-    print("reached the pixel of a picture of 512 x 512 in %.2f s" % seconds)
-    # The promise is 2 s; a machine that builds and tests at the same time gets three times as long.
-    failures.extend(["time"] if seconds > 6.0 else [])
+    print("reached the pixel of a picture of 512 x 512 in %.2f s, %.2f s of work" % (seconds, work))
+    # The promise is 2 s. What counts here is work, gdb's and the program's: a busy machine makes everybody wait.
+    failures.extend(["time"] if work > 4.0 else [])
     gdb.execute("kill")
     os._exit(1 if failures else 0)
 
