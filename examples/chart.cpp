@@ -49,7 +49,8 @@ void draw_grid(Chart& chart) {
         draw_line(chart.image, foot, {foot.x, chart.upper_right.y}, 1.0f, faint);
         const int left = static_cast<int>(foot.x) - (width_of(text, chart.scale) - chart.scale) / 2;
         const int last = chart.image.width - width_of(text, chart.scale);
-        draw_text(chart.image, std::min(left, last), static_cast<int>(foot.y) + 3 * chart.scale, text, kDust, chart.scale);
+        draw_text(chart.image, std::min(left, last), static_cast<int>(foot.y) + 3 * chart.scale, text, kDust,
+                  chart.scale);
     }
     for (const double value : marks(chart.y)) {
         const std::string text = number_text(value);

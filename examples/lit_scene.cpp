@@ -2,6 +2,10 @@
 
 #include <cmath>
 #include <memory>
+#include <numbers>
+
+#include <glm/common.hpp>
+#include <glm/geometric.hpp>
 
 #include "raster/shapes.hpp"
 #include "scene/render.hpp"
@@ -58,6 +62,43 @@ lighting::Light point_light(const glm::vec3& position, float intensity) {
     light.position = position;
     light.intensity = intensity;
     return light;
+}
+
+std::vector<lighting::Light> lights_all_around(int count,
+                                               const std::function<glm::vec3(const glm::vec3&)>& radiance) {
+    const double golden_angle = std::numbers::pi * (3.0 - std::sqrt(5.0));
+    std::vector<lighting::Light> lights;
+    for (int i = 0; i < count; ++i) {
+        const double y = 1.0 - (2.0 * i + 1.0) / count;  // equal heights of a sphere hold equal areas
+        const double ring = std::sqrt(1.0 - y * y);
+        const double turn = golden_angle * i;
+        const glm::vec3 from(ring * std::cos(turn), y, ring * std::sin(turn));
+        lighting::Light light = directional_light(-from, static_cast<float>(4.0 * std::numbers::pi / count));
+        light.color = radiance(from);
+        if (light.color != glm::vec3(0.0f)) lights.push_back(light);
+    }
+    return lights;
+}
+
+glm::vec3 studio(const glm::vec3& direction) {
+    const auto lamp = [&](const glm::vec3& from, float cosine_of_edge) {
+        const float inside = (glm::dot(direction, glm::normalize(from)) - cosine_of_edge) / (1.0f - cosine_of_edge);
+        return raster::saturate(3.0f * inside);  // a soft edge
+    };
+    const glm::vec3 soft_box = glm::vec3(6.0f, 6.1f, 6.3f) * lamp({-0.8f, 0.8f, 0.6f}, 0.84f);
+    const glm::vec3 warm = glm::vec3(3.6f, 2.8f, 2.0f) * lamp({1.0f, 0.35f, 0.1f}, 0.87f);
+    const float up = 0.5f + 0.5f * direction.y;
+    return soft_box + warm + glm::mix(glm::vec3(0.10f, 0.09f, 0.08f), glm::vec3(0.35f, 0.38f, 0.42f), up);
+}
+
+lighting::Material microfacet(const glm::vec3& albedo, float metallic, float roughness) {
+    lighting::Material material;
+    material.model = lighting::ReflectionModel::cook_torrance;
+    material.cook_torrance.albedo = albedo;
+    material.cook_torrance.metallic = metallic;
+    material.cook_torrance.roughness = roughness;
+    material.cook_torrance.geometry = lighting::Geometry::smith_correlated;
+    return material;
 }
 
 Image captioned(const scene::Scene& scene, const std::string& caption, int picture_height) {

@@ -1,7 +1,9 @@
 // Scenes built in code: what the lighting examples share. Nothing here is a lesson; each line is a line of a scene file.
 #pragma once
 
+#include <functional>
 #include <string>
+#include <vector>
 
 #include <glm/mat4x4.hpp>
 
@@ -26,6 +28,18 @@ int add_shape(scene::Scene& scene, const std::string& shape, int detail, const g
 
 [[nodiscard]] lighting::Light directional_light(const glm::vec3& direction, float intensity = 1.0f);
 [[nodiscard]] lighting::Light point_light(const glm::vec3& position, float intensity = 1.0f);
+
+/// Directional lights spread evenly over all directions (a spiral of equal areas), which together send what a sphere of
+/// this radiance all around would: radiance(d) x 4 pi / count from direction d. On surfaces too rough to mirror single
+/// lights they look like that sphere.
+[[nodiscard]] std::vector<lighting::Light> lights_all_around(
+    int count, const std::function<glm::vec3(const glm::vec3&)>& radiance);
+
+/// Radiance of a photographer's studio: a large soft lamp above on the left, a warm one on the right, a grey floor.
+[[nodiscard]] glm::vec3 studio(const glm::vec3& direction);
+
+/// A material of Cook and Torrance's model: GGX, height-correlated Smith.
+[[nodiscard]] lighting::Material microfacet(const glm::vec3& albedo, float metallic, float roughness);
 
 /// Render the scene and write a caption on the picture.
 [[nodiscard]] Image captioned(const scene::Scene& scene, const std::string& caption, int picture_height);

@@ -11,6 +11,7 @@ void set_index(CookTorranceSetup& setup, const glm::vec3& n, const glm::vec3& k,
     setup.has_index = true;
     setup.n = n / outside_ior;
     setup.k = k / outside_ior;
+    setup.absorbs = k != glm::vec3(0.0f);
     setup.surface.f0 = f0_from_index(setup.n, setup.k);
     setup.f82_b = f82_coefficient_from_index(setup.n, setup.k);
 }
@@ -129,7 +130,8 @@ glm::vec3 fresnel_term(const CookTorranceSetup& setup, float c, const glm::vec3&
             return fresnel_schlick(c, f0);  // the same, see fresnel_rescaled_schlick
         case FresnelMethod::exact:
             if (setup.all_wavelengths) return spectral_fresnel(c, setup.spectrum);
-            return setup.has_index ? fresnel_conductor(c, setup.n, setup.k) : fresnel_dielectric(c, index_from_f0(f0));
+            if (setup.absorbs) return fresnel_conductor(c, setup.n, setup.k);
+            return fresnel_dielectric(c, setup.has_index ? setup.n : index_from_f0(f0));
         case FresnelMethod::schlick_ior:
             return fresnel_schlick_between(c, setup.has_index ? setup.n : index_from_f0(f0));
         case FresnelMethod::corrected_schlick:

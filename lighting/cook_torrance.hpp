@@ -38,6 +38,7 @@ struct CookTorranceSetup {
     FresnelMethod fresnel = FresnelMethod::schlick;
     EnergyCompensation energy_compensation = EnergyCompensation::none;
     bool has_index = false;     ///< n and k are known: F0 comes from them, not from albedo and metallic
+    bool absorbs = false;       ///< a k is not 0: a metal; else exact is the cheaper formula of dielectrics
     bool all_wavelengths = false;  ///< they are known for the whole spectrum: exact sums over it
     MicrofacetSurface surface;  ///< where no map says otherwise
     glm::vec3 n{1.5f};          ///< exact: relative to the outside; or the dielectric with this F0

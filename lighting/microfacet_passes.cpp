@@ -119,7 +119,12 @@ KREDA_BATCH_LOOP void find_conductor(int lanes, const glm::vec3& n, const glm::v
     for (int i = 0; i < lanes; ++i) m.F.set(i, fresnel_conductor(m.v_dot_h.at(i), index, extinction));
 }
 
-KREDA_BATCH_LOOP void find_dielectric(int lanes, MicrofacetChannels& m) {
+KREDA_BATCH_LOOP void find_dielectric(int lanes, const glm::vec3& n, MicrofacetChannels& m) {
+    const glm::vec3 index = n;
+    for (int i = 0; i < lanes; ++i) m.F.set(i, fresnel_dielectric(m.v_dot_h.at(i), index));
+}
+
+KREDA_BATCH_LOOP void find_dielectric_from_f0(int lanes, MicrofacetChannels& m) {
     for (int i = 0; i < lanes; ++i) m.F.set(i, fresnel_dielectric(m.v_dot_h.at(i), index_from_f0(m.f0.at(i))));
 }
 
@@ -140,8 +145,9 @@ void find_spectral(int lanes, const SpectralIndex& index, MicrofacetChannels& m)
 
 void find_exact(int lanes, const CookTorranceSetup& setup, MicrofacetChannels& m) {
     if (setup.all_wavelengths) return find_spectral(lanes, setup.spectrum, m);
-    if (setup.has_index) return find_conductor(lanes, setup.n, setup.k, m);
-    find_dielectric(lanes, m);
+    if (setup.absorbs) return find_conductor(lanes, setup.n, setup.k, m);
+    if (setup.has_index) return find_dielectric(lanes, setup.n, m);
+    find_dielectric_from_f0(lanes, m);
 }
 
 KREDA_BATCH_LOOP void find_schlick_between(int lanes, const glm::vec3& n, MicrofacetChannels& m) {

@@ -1,5 +1,5 @@
-// Cook and Torrance's model for a batch: angles, D, V, F, sum; each a loop over one formula. 4 distributions, 5 geometries and
-// 10 Fresnel methods are some 20 loops, not 200.
+// Cook and Torrance's model for a batch: angles, D, V, F, sum; each a loop over one formula. 4 distributions, 5 geometries
+// and 10 Fresnel methods are some 20 loops, not 200.
 #pragma once
 
 #include "lighting/channels.hpp"

@@ -85,8 +85,8 @@ lighting::PhongMaterial read_phong(const Value& table) {
     read(table, "emission", material.emission);
     read(table, "shininess", material.shininess);
     if (const Value* alpha = find(table, "ward_alpha")) {
-        material.ward_alpha = glm::vec2(static_cast<float>(alpha->items[0].number),
-                                        static_cast<float>(alpha->items[1].number));
+        material.ward_alpha =
+            glm::vec2(static_cast<float>(alpha->items[0].number), static_cast<float>(alpha->items[1].number));
     }
     read(table, "grain", material.grain);
     if (glm::length(glm::dvec3(material.grain)) < kLeastLength) {

@@ -64,7 +64,8 @@ Formula formula_of(const CookTorranceSetup& setup) {
         case FresnelMethod::exact:
             if (setup.all_wavelengths)
                 return {"exact, whole spectrum", "mean over wavelengths of (R_s + R_p) / 2 from n, k and v·h"};
-            return setup.has_index ? Formula{"exact, conductor", "(R_s + R_p) / 2  from n, k and v·h"}
+            if (setup.absorbs) return {"exact, conductor", "(R_s + R_p) / 2  from n, k and v·h"};
+            return setup.has_index ? Formula{"exact, dielectric", "(R_s + R_p) / 2  from n and v·h"}
                                    : Formula{"exact, dielectric", "(R_s + R_p) / 2  from n(F0) and v·h"};
         case FresnelMethod::corrected_schlick:
             return {"corrected Schlick", "Schlick - a (v·h)(1 - v·h)^λ"};
@@ -75,7 +76,8 @@ Formula formula_of(const CookTorranceSetup& setup) {
         case FresnelMethod::table:
             return {"table", "linear between entries of a table over v·h"};
         case FresnelMethod::nvidia:
-            return {"bias-scale-power", "F0 + (1 - F0)(1 - v·h)^power"};
+            return setup.has_bias ? Formula{"bias-scale-power", "bias + scale (1 - v·h)^power, cut to 0..1"}
+                                  : Formula{"bias-scale-power", "F0 + (1 - F0)(1 - v·h)^power"};
         case FresnelMethod::none:
             return {"constant", "F0"};
     }

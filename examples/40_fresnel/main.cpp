@@ -1,6 +1,6 @@
 // 40_fresnel: how much a smooth surface reflects, by angle: exact, and the ways to approximate it.
 // Page docs/40_fresnel.md | After 23_blinn_phong | New: fresnel_dielectric(), fresnel_conductor(), fresnel_schlick()
-// Break at: fresnel_conductor_polarized | Look at: A, B, a, b, R_s | Try: kSmallTable 4, kPlatinumRed.n 4
+// Break at: fresnel_conductor_polarized | Look at: A, B, a, b, R_s | Try: kSmallTable 4, kPlatinumRed.x 4
 #include <cmath>
 #include <cstdio>
 
@@ -19,10 +19,7 @@ namespace {
 constexpr int kSmallTable = 8;
 constexpr int kAngles = 1'000'000;
 
-struct Index {
-    float n, k;
-};
-constexpr Index kPlatinumRed{2.49f, 4.44f};
+const glm::vec2 kPlatinumRed(2.49f, 4.44f);  // n, k
 
 float cosine(double degrees) {
     return static_cast<float>(std::cos(glm::radians(degrees)));
@@ -38,7 +35,8 @@ Image dielectric_panel(glm::ivec2 size, int picture_height, const std::string& t
     plot(chart, kDust, [n](double a) { return fresnel_dielectric_polarized(cosine(a), n).s; });
     plot(chart, kDust, [n](double a) { return fresnel_dielectric_polarized(cosine(a), n).p; });
     plot(chart, kChalk, [n](double a) { return fresnel_dielectric(cosine(a), n); });
-    plot(chart, kYellow, [n](double a) { return fresnel_schlick_from_index(cosine(a), n); }, true);
+    plot(
+        chart, kYellow, [n](double a) { return fresnel_schlick_from_index(cosine(a), n); }, true);
     return chart.image;
 }
 
@@ -50,7 +48,8 @@ Image metal_panel(glm::ivec2 size, int picture_height, const std::string& name) 
     for (int i = 0; i < 3; ++i) {
         const float n = index.n[i], k = index.k[i];
         plot(chart, colors[i], [=](double a) { return fresnel_conductor(cosine(a), n, k); });
-        plot(chart, kYellow, [=](double a) { return fresnel_rescaled_schlick(cosine(a), n, k); }, true);
+        plot(
+            chart, kYellow, [=](double a) { return fresnel_rescaled_schlick(cosine(a), n, k); }, true);
     }
     return chart.image;
 }
@@ -75,20 +74,21 @@ Image legend_panel(glm::ivec2 size, int picture_height) {
 
 /// All methods on platinum's red, where they differ most: 60 to 90 degrees.
 Image methods_chart(glm::ivec2 size, int picture_height) {
-    const auto [n, k] = kPlatinumRed;
+    const float n = kPlatinumRed.x, k = kPlatinumRed.y;
     const float f0 = f0_from_index(n, k);
     const float b = f82_coefficient(f0, fresnel_conductor(1.0f / 7.0f, n, k));
     const SchlickCorrection fit = fit_correction(n, k), printed = fit_correction_as_printed(n, k);
     const FresnelTable table = fresnel_table(glm::vec3(n), glm::vec3(k), kSmallTable);
-    Chart chart = make_chart(size, picture_height, "platinum, red: F over degrees", {60.0, 90.0, 10.0}, {0.4, 1.0, 0.2});
-    plot(chart, kRed, [=](double a) {
-        return fresnel_corrected_schlick_as_printed(cosine(a), f0, printed.a, printed.lambda);
-    });
+    Chart chart =
+        make_chart(size, picture_height, "platinum, red: F over degrees", {60.0, 90.0, 10.0}, {0.4, 1.0, 0.2});
+    plot(chart, kRed,
+         [=](double a) { return fresnel_corrected_schlick_as_printed(cosine(a), f0, printed.a, printed.lambda); });
     plot(chart, kYellow, [=](double a) { return fresnel_schlick(cosine(a), f0); });
     plot(chart, kBlue, [&](double a) { return fresnel_lookup(cosine(a), table.r.data(), kSmallTable); });
     plot(chart, kGreen, [=](double a) { return fresnel_corrected_schlick(cosine(a), f0, fit.a, fit.lambda); });
     plot(chart, kOrange, [=](double a) { return fresnel_f82(cosine(a), f0, b); });
-    plot(chart, kChalk, [=](double a) { return fresnel_conductor(cosine(a), n, k); }, true);
+    plot(
+        chart, kChalk, [=](double a) { return fresnel_conductor(cosine(a), n, k); }, true);
     const glm::vec2 start(0.05f, 0.05f);
     legend(chart, "- - exact", kChalk, start);
     legend(chart, "Schlick, NVIDIA 5", kYellow, start);
@@ -123,7 +123,8 @@ void draw(const Options& options) {
     const std::vector<Image> panels = {dielectric_panel(size, height, "water 1.33", 1.33f),
                                        dielectric_panel(size, height, "As2S3 2.04", 2.04f),
                                        dielectric_panel(size, height, "germanium 4.01", 4.01f),
-                                       metal_panel(size, height, "platinum"), metal_panel(size, height, "gold"),
+                                       metal_panel(size, height, "platinum"),
+                                       metal_panel(size, height, "gold"),
                                        legend_panel(size, height)};
     save(options, "curves", montage(options.width, options.height, 3, panels));
     save(options, "methods", methods_chart({options.width, options.height}, height));

@@ -1,7 +1,7 @@
 // golden_check PROGRAM GOLDEN_FOLDER FAILURE_FOLDER: runs an example at a small size and compares every picture it
 // writes with the golden one, byte by byte. What differs is saved to FAILURE_FOLDER: NAME.expected.png,
 // NAME.actual.png, NAME.difference.png. With the environment variable KREDA_RENEW_GOLDEN=1 the new pictures become the
-// golden ones: look at them first.
+// golden ones: look at them first. Pictures named measured_*.png show times of this machine: they have no golden image.
 #include <cstdlib>
 #include <exception>
 #include <filesystem>
@@ -24,7 +24,8 @@ std::set<std::string> pictures_in(const fs::path& folder) {
     std::set<std::string> names;
     if (!fs::is_directory(folder)) return names;
     for (const fs::directory_entry& entry : fs::directory_iterator(folder)) {
-        if (entry.path().extension() == ".png") names.insert(entry.path().filename().string());
+        const std::string name = entry.path().filename().string();
+        if (entry.path().extension() == ".png" && !name.starts_with("measured_")) names.insert(name);
     }
     return names;
 }

@@ -30,7 +30,9 @@ struct Reader {
         }
         return least;
     }
-    [[nodiscard]] int column(double x) const { return static_cast<int>(scale.place(x, scale.y.from).x); }
+    [[nodiscard]] int column(double x) const {
+        return static_cast<int>(scale.place(x, scale.y.from).x);
+    }
 };
 
 Reader methods_chart() {

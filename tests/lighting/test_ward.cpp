@@ -173,7 +173,8 @@ double ward_reference(const vec3& t_, const vec3& l_, const vec3& v_, double alp
 
 double heidrich_seidel_reference(const vec3& l_, const vec3& v_, double shininess) {
     const double l_t = l_.x, v_t = v_.x;  // angles to the thread: the mirror cosine is cos(angle difference)
-    const double mirrored = std::cos(std::acos(std::clamp(v_t, -1.0, 1.0)) - (pi - std::acos(std::clamp(l_t, -1.0, 1.0))));
+    const double mirrored =
+        std::cos(std::acos(std::clamp(v_t, -1.0, 1.0)) - (pi - std::acos(std::clamp(l_t, -1.0, 1.0))));
     return std::pow(std::max(mirrored, 0.0), shininess) * l_.z;
 }
 
@@ -188,7 +189,8 @@ TEST_CASE("Ward and Heidrich-Seidel: float follows double from narrow to wide up
             const double theta = i % 2 == 0 ? 1.57 * i / 2000.0 : 0.5 * pi - 1e-3 * i / 2000.0 - 1e-6;
             const double phi = 0.37 * i;
             const vec3 l = direction(theta, phi);
-            const vec3 v = direction(std::min(theta + alpha * std::sin(1.1 * i), 1.5707), phi + pi + alpha * std::cos(0.7 * i));
+            const vec3 v =
+                direction(std::min(theta + alpha * std::sin(1.1 * i), 1.5707), phi + pi + alpha * std::cos(0.7 * i));
             const vec3 t = direction(0.5 * pi, 0.11 * i);
             const vec3 flat_t = glm::normalize(vec3(t.x, t.y, 0.0f));
             const double exact = ward_reference(flat_t, l, v, alpha, 0.3);
@@ -197,7 +199,8 @@ TEST_CASE("Ward and Heidrich-Seidel: float follows double from narrow to wide up
             const double v_h = 0.5 * glm::length(l + v);
             const double bound = 1e-5 + 2e-6 / (alpha * v_h);
             if (exact > 1e-10) {
-                const double error = std::abs(ward_anisotropic(kN, flat_t, glm::cross(kN, flat_t), l, v, alpha, 0.3f) / exact - 1.0);
+                const double error =
+                    std::abs(ward_anisotropic(kN, flat_t, glm::cross(kN, flat_t), l, v, alpha, 0.3f) / exact - 1.0);
                 worst_ward = std::max(worst_ward, error / bound);
             }
             for (const float shininess : {1.0f, 30.0f, 1000.0f}) {
@@ -205,7 +208,8 @@ TEST_CASE("Ward and Heidrich-Seidel: float follows double from narrow to wide up
                 const double threads = heidrich_seidel_reference(l, v, shininess);
                 if (threads < 1e-10) continue;
                 const double error = std::abs(heidrich_seidel(kN, kT, l, v, m).specular.x / threads - 1.0);
-                worst_threads = std::max(worst_threads, error / (1e-6 + 4e-7 * shininess));  // a cosine's rounding, h times
+                worst_threads =
+                    std::max(worst_threads, error / (1e-6 + 4e-7 * shininess));  // a cosine's rounding, h times
             }
         }
     }
