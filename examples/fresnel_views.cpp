@@ -85,7 +85,7 @@ void add_comparison(const Subject& subject, glm::ivec2 size, int picture_height,
 
 void print_picture_errors() {
     constexpr std::size_t kShown[] = {1, 2, 4, 6};  // rescaled, corrected, F82, table of 256
-    std::printf("Mean relative error in percent over the pixels of %d views; in brackets as published in 2014\n",
+    std::printf("\nMean relative error in percent over the pixels of %d views; in brackets as published in 2014\n",
                 kViews);
     std::printf("%-10s %-6s %-16s %-16s %-8s %s\n", "", "", "Schlick", "corrected", "F82", "table of 256");
     const char* const published[4][2][2] = {{{"0.59", "0.52"}, {"0.87", "0.79"}},

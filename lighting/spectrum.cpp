@@ -149,7 +149,10 @@ SpectralIndex spectral_index(const MeasuredMaterial& material, float outside_ior
 
 glm::vec3 spectral_fresnel(float c, const SpectralIndex& index) {
     glm::vec3 F(0.0f);
-    for (std::size_t i = 0; i < index.n.size(); ++i) F += index.color[i] * fresnel_conductor(c, index.n[i], index.k[i]);
+    for (std::size_t i = 0; i < index.n.size(); ++i) {
+        const float reflected = fresnel_conductor(c, index.n[i], index.k[i]);
+        F += index.color[i] * reflected;
+    }
     return F;
 }
 

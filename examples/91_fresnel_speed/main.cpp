@@ -86,7 +86,7 @@ std::vector<TimedMethod> timed_methods() {
 
 void print_speed(const std::vector<TimedMethod>& methods) {
     std::printf(
-        "\nTime for one point in a batch loop, relative to the exact dielectric; error on platinum in percent\n");
+        "Time for one point in a batch loop, relative to the exact dielectric; error on platinum in percent\n");
     for (const TimedMethod& m : methods) {
         std::printf("%-18s %6.2f ns %6.0f %%", m.name.c_str(), m.nanoseconds,
                     100.0 * m.nanoseconds / methods[0].nanoseconds);
@@ -108,6 +108,10 @@ Image speed_chart(glm::ivec2 size, int picture_height, const std::vector<TimedMe
 }
 
 void draw(const Options& options) {
+    const std::vector<TimedMethod> methods = timed_methods();
+    print_speed(methods);
+    save(options, "measured_speed", speed_chart({options.width, options.height}, options.height, methods));
+
     const glm::ivec2 size = panel_size(options.width, options.height, 4, 2);
     std::vector<Image> panels;
     for (const Subject& subject : comparison_subjects()) {
@@ -115,9 +119,6 @@ void draw(const Options& options) {
     }
     save(options, "comparison", montage(options.width, options.height, 4, panels));
     print_picture_errors();
-    const std::vector<TimedMethod> methods = timed_methods();
-    print_speed(methods);
-    save(options, "measured_speed", speed_chart({options.width, options.height}, options.height, methods));
 }
 
 }  // namespace

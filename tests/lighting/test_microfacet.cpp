@@ -246,6 +246,30 @@ TEST_CASE("Microfacets: each V is the textbook's G over four cosines") {
     }
 }
 
+TEST_CASE("Microfacets: V in float follows double from roughness 0 to 1 up to grazing") {
+    double worst = 0.0;
+    constexpr std::array<float, 9> cosines = {1e-6f, 1e-4f, 0.003f, 0.02f, 0.1f, 0.3f, 0.7f, 0.99f, 1.0f};
+    const auto follow = [&worst](float V, double exact) { worst = std::max(worst, std::abs(V / exact - 1.0)); };
+    for (int i = 0; i <= 40; ++i) {
+        const float r = static_cast<float>(i) / 40.0f, alpha = alpha_from_roughness(r);
+        const double a2 = double{alpha} * alpha, k = (double{r} + 1.0) * (double{r} + 1.0) / 8.0;
+        const auto root = [a2](double c) { return std::sqrt(a2 + (1.0 - a2) * c * c); };
+        for (const float l : cosines) {
+            for (const float v : cosines) {
+                const double dl = l, dv = v;
+                follow(schlick_ggx_visibility(l, v, schlick_k_direct(r)),
+                       0.25 / ((dl * (1.0 - k) + k) * (dv * (1.0 - k) + k)));
+                follow(smith_visibility(l, v, alpha), 1.0 / ((dl + root(dl)) * (dv + root(dv))));
+                follow(smith_correlated_visibility(l, v, alpha), 0.5 / (dl * root(dv) + dv * root(dl)));
+                const double grooves = std::min({1.0, 2.0 * 0.8f * dv / 0.6f, 2.0 * 0.8f * dl / 0.6f});
+                follow(cook_torrance_visibility(l, v, 0.8f, 0.6f), grooves / (4.0 * dl * dv));
+            }
+        }
+    }
+    CAPTURE(worst);
+    CHECK(worst < 1e-6);  // some eight roundings
+}
+
 TEST_CASE("Microfacets: V is finite at grazing light and view") {
     for (const VisibilityFunction V : kVisibilities) {
         for (const float l : {0.0f, 1e-20f, 1e-6f, 1.0f}) {
