@@ -2,6 +2,7 @@
 #pragma once
 
 #include "lighting/reflection.hpp"
+#include "lighting/texel_taps.hpp"
 #include "raster/fragments.hpp"
 
 namespace kreda::lighting {
@@ -17,6 +18,20 @@ struct MicrofacetChannels {
     raster::Channel3 F;                            ///< at v.h, of that light
 };
 
+/// What the environment sends and what becomes of it; they hold something only where the scene has an environment.
+struct EnvironmentChannels {
+    raster::Channel3 direction;    ///< world space: r; of the reference the sample's l
+    raster::Channel3 map_direction;  ///< n, then that, as the maps know it
+    raster::Channel3 irradiance;   ///< E on n
+    raster::Channel3 prefiltered;  ///< P: radiance around r, as blurred as the surface is rough
+    raster::Channel lod;           ///< level of the prefiltered map
+    raster::Channel3 brdf;         ///< A, B and the mean energy of the roughness
+    raster::Channel3 F;            ///< at n.v
+    raster::Channel3 diffuse;      ///< of ambient, what comes from the environment by diffuse reflection
+    raster::Channel3 specular;     ///< and by specular reflection
+    TapScratch scratch;
+};
+
 /// Every quantity of the lecture's equation at every point of a batch.
 struct LightingChannels {
     raster::Channel level;        ///< level of detail at which the maps are read (trilinear)
@@ -30,12 +45,13 @@ struct LightingChannels {
     raster::Channel shadow;       ///< of that light: 1 lit .. 0 in full shadow; only where it casts shadows
     raster::Channel blocker_distance;  ///< from a point back to what keeps that light from it, world units; only for views
     raster::Channel penumbra;     ///< width of that shadow's soft edge there, world units; only for views
-    raster::Channel3 ambient;     ///< s_A m_A + m_E
+    raster::Channel3 ambient;     ///< s_A m_A + m_E and what the environment adds
     raster::Channel3 diffuse;     ///< sum over lights of s m_D (l.n)
     raster::Channel3 specular;    ///< sum over lights of s m_S Sigma^h
     raster::Channel fog;          ///< f
     raster::Channel3 radiance;    ///< what leaves toward the viewer: linear RGB
     MicrofacetChannels microfacet;
+    EnvironmentChannels environment;
 };
 
 /// Add one light's reflection at point i to the sums.

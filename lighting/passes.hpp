@@ -7,6 +7,7 @@
 
 #include "lighting/channels.hpp"
 #include "lighting/cook_torrance.hpp"
+#include "lighting/environment_passes.hpp"
 #include "lighting/fog.hpp"
 #include "lighting/light.hpp"
 #include "lighting/maps.hpp"
@@ -32,11 +33,12 @@ struct LightingSetup {
     bool orthographic = false;         ///< then v is the same everywhere: -forward
     glm::vec3 ambient{0.0f};           ///< s_A
     std::span<const LightSetup> lights;
+    EnvironmentSetup environment;
     Fog fog;
 };
 
-// The lecture's equation,  radiance = ambient + sum over lights of shadow (diffuse + specular),  is these five in turn: start_lighting;
-// for each light sample_light, shadow_light where it casts a shadow, add_reflection; sum_terms. scene/shade.cpp runs them.
+// The lecture's equation,  radiance = ambient + sum over lights of shadow (diffuse + specular),  is these in turn: start_lighting;
+// add_environment where there is one; for each light sample_light, shadow_light where it casts a shadow, add_reflection; sum_terms. scene/shade.cpp runs them.
 
 /// What the lights will need: n, v, the material at every point; ambient = s_A m_A + m_E; nothing reflected yet.
 /// Reads fragments.position, fragments.normal, and what material.map_needs says.

@@ -64,6 +64,42 @@ raster::VertexNeeds vertex_needs(const Scene& scene, const RenderPlan& plan) {
     return needs;
 }
 
+/// Is any visible material of this kind?
+template <class Test>
+bool any_visible(const Scene& scene, Test test) {
+    const std::vector<bool> visible = visible_materials(scene);
+    for (std::size_t m = 0; m < scene.materials.size(); ++m) {
+        if (visible[m] && test(scene.materials[m])) return true;
+    }
+    return false;
+}
+
+bool is_microfacet(const lighting::Material& material) {
+    return material.model == lighting::ReflectionModel::cook_torrance;
+}
+
+/// What the materials that are seen, and the background, ask of the environment.
+lighting::EnvironmentNeeds environment_needs(const Scene& scene) {
+    lighting::EnvironmentNeeds needs;
+    if (!scene.environment.on) return needs;
+    const bool lights = any_visible(scene, [](const auto& m) { return m.model != lighting::ReflectionModel::unlit; });
+    const bool shines = any_visible(scene, is_microfacet);
+    const bool split_sum = scene.environment.reference == 0;
+    needs.mirror = scene.image.environment_background || (lights && !split_sum);
+    needs.irradiance = lights && split_sum;
+    needs.blurred = shines && split_sum;
+    needs.form = needs.irradiance ? scene.environment.irradiance : lighting::IrradianceForm::map;
+    if (!needs.blurred) return needs;
+    const std::vector<bool> visible = visible_materials(scene);
+    for (std::size_t m = 0; m < scene.materials.size(); ++m) {
+        const lighting::CookTorranceMaterial& material = scene.materials[m].cook_torrance;
+        const lighting::BrdfKind kind{material.distribution, material.geometry};
+        const bool known = std::find(needs.brdf.begin(), needs.brdf.end(), kind) != needs.brdf.end();
+        if (visible[m] && is_microfacet(scene.materials[m]) && !known) needs.brdf.push_back(kind);
+    }
+    return needs;
+}
+
 raster::FragmentNeeds fragment_needs(const RenderPlan& plan) {
     raster::FragmentNeeds needs;
     needs.position = plan.frequency == ShadingFrequency::phong || plan.fog_at_pixels;
@@ -91,6 +127,27 @@ std::vector<raster::FragmentNeeds> fragment_needs_of_materials(const RenderPlan&
         of_material[m].tangent |= maps.tangent;
     }
     return of_material;
+}
+
+/// Baked once, before the first frame.
+void plan_environment(const Scene& scene, RenderPlan& plan) {
+    const lighting::EnvironmentNeeds& needs = plan.environment;
+    const auto bake = [&](const char* map, const std::string& reason) {
+        plan.passes.push_back({std::string("bake ") + map, reason, {}});
+    };
+    if (needs.mirror && !needs.blurred) {
+        bake("environment", scene.image.environment_background ? "image.background = \"environment\""
+                                                               : "environment.reference asks for samples of it");
+    }
+    if (needs.blurred) {
+        bake("prefiltered levels", "a cook_torrance material reflects the environment, " +
+                                       std::to_string(scene.environment.samples) + " samples at roughness 1");
+    }
+    if (needs.irradiance) {
+        bake("irradiance", needs.form == lighting::IrradianceForm::sh9 ? "nine coefficients: environment.irradiance = \"sh9\""
+                                                                       : "a lit material gathers it from all sides");
+    }
+    if (!needs.brdf.empty()) bake("brdf map", std::to_string(needs.brdf.size()) + " pair of distribution and geometry");
 }
 
 void plan_vertices(const Scene& scene, const Sizes& sizes, RenderPlan& plan) {
@@ -131,6 +188,15 @@ void plan_shadow_passes(const Scene& scene, RenderPlan& plan) {
     for (const PlannedShadow& shadow : plan.shadows) plan.passes.push_back(pass_of(scene, shadow, plan.viewport));
 }
 
+const char* where_lit(ShadingFrequency frequency) {
+    switch (frequency) {
+        case ShadingFrequency::flat: return "at every triangle's centroid";
+        case ShadingFrequency::gouraud: return "at every vertex";
+        case ShadingFrequency::phong: return "at every sample";
+    }
+    return "";
+}
+
 void plan_tiles(const Scene& scene, RenderPlan& plan) {
     plan.passes.push_back({"visibility",
                            "which triangle is nearest, sample by sample",
@@ -148,6 +214,13 @@ void plan_tiles(const Scene& scene, RenderPlan& plan) {
              "shading.frequency = \"phong\": " + std::to_string(scene.lights.size()) + " lights at every sample",
              {{"lighting channels of one batch, a thread", sizeof(lighting::LightingChannels)}}});
     }
+    if (plan.lit_by_environment) {
+        plan.passes.push_back({"environment",
+                               scene.environment.reference > 0
+                                   ? std::to_string(scene.environment.reference) + " samples of the integral " + where_lit(plan.frequency)
+                                   : std::string("the split sum ") + where_lit(plan.frequency),
+                               {}});
+    }
     if (plan.fog_at_pixels) plan.passes.push_back({"fog at pixels", "fog.frequency = \"pixel\"", {}});
     if (plan.fog_at_vertices || plan.fog_at_pixels) {
         plan.passes.push_back({"mix fog", "fog.mode is not \"none\"", {}});
@@ -159,15 +232,6 @@ const char* filter_name(lighting::TextureFilter filter) {
         case lighting::TextureFilter::nearest: return "nearest";
         case lighting::TextureFilter::bilinear: return "bilinear";
         case lighting::TextureFilter::trilinear: return "trilinear";
-    }
-    return "";
-}
-
-const char* where_lit(ShadingFrequency frequency) {
-    switch (frequency) {
-        case ShadingFrequency::flat: return "at every triangle's centroid";
-        case ShadingFrequency::gouraud: return "at every vertex";
-        case ShadingFrequency::phong: return "at every sample";
     }
     return "";
 }
@@ -217,6 +281,9 @@ void list_left_out(RenderPlan& plan) {
     const bool no_maps = std::none_of(plan.passes.begin(), plan.passes.end(),
                                       [](const PlannedPass& pass) { return pass.name.starts_with("maps of "); });
     left_out(no_maps, "maps", "no visible material has a map that its model reads");
+    left_out(!plan.environment.any(), "environment", "there is no [environment] that a lit material or the background shows");
+    left_out(plan.environment.any() && !plan.environment.blurred, "prefiltered levels and brdf map",
+             "no visible material is cook_torrance, or environment.reference integrates without them");
     left_out(no_fog, "fog", "fog.mode = \"none\"");
 }
 
@@ -245,9 +312,12 @@ RenderPlan make_plan(const Scene& scene, const std::vector<const View*>& views) 
         return view->name == "blocker_distance" || view->name == "penumbra";
     });
     for (const lighting::Material& material : scene.materials) plan.materials.push_back(prepare(material));
+    plan.environment = environment_needs(scene);
+    plan.lit_by_environment = plan.environment.irradiance || (scene.environment.on && scene.environment.reference > 0);
     plan.vertex = vertex_needs(scene, plan);
     plan.fragment = fragment_needs(plan);
     plan.fragment_of_material = fragment_needs_of_materials(plan);
+    plan_environment(scene, plan);
     if (!scene.objects.empty()) {
         plan_maps(scene, plan);
         plan_vertices(scene, sizes, plan);

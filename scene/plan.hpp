@@ -59,6 +59,8 @@ struct RenderPlan {
     std::vector<PlannedShadow> shadows;  ///< one for each light that casts shadows onto something seen
     bool shadows_by_frame = false;       ///< they are found for all visible samples at once, before anything is lit
     bool shows_blockers = false;  ///< a view asks what blocks the light, and how wide the penumbra is
+    lighting::EnvironmentNeeds environment;  ///< what must be baked before the first frame
+    bool lit_by_environment = false;
     bool fog_at_vertices = false;
     bool fog_at_pixels = false;
     std::vector<const View*> views;  ///< written beside the film

@@ -1,41 +1,13 @@
 #include "scene/read_maps.hpp"
 
-#include <filesystem>
-
 #include "lighting/maps.hpp"
+#include "scene/file_key.hpp"
 #include "scene/map_folder.hpp"
 #include "scene/toml_check.hpp"
 
 namespace kreda::scene {
 
 namespace {
-
-namespace fs = std::filesystem;
-
-std::string path_in(const std::string& folder, const std::string& name) {
-    return (fs::path(folder) / name).lexically_normal().string();
-}
-
-/// Names of image files beside a path that is not there.
-std::vector<std::string> neighbours(const fs::path& path) {
-    std::vector<std::string> names;
-    std::error_code failed;
-    const fs::path folder = path.parent_path().empty() ? fs::path(".") : path.parent_path();
-    for (fs::directory_iterator it(folder, failed), end; !failed && it != end && names.size() < 500;
-         it.increment(failed)) {
-        names.push_back(it->path().filename().string());
-    }
-    return names;
-}
-
-void check_file(const Value& key, const std::string& path) {
-    std::error_code failed;
-    if (fs::is_regular_file(path, failed)) return;
-    const std::string what = fs::is_directory(path, failed) ? " is a folder, not an image file" : " is not there";
-    const std::string near = nearest_word(fs::path(path).filename().string(), neighbours(path));
-    throw UserError(key.place, in_quotes(key.key) + ": " + in_quotes(path) + what +
-                                   (near.empty() ? "" : "; did you mean " + in_quotes(near) + "?"));
-}
 
 /// The maps of a folder, under the names that the material's model reads.
 void read_folder(const Value& key, const std::string& folder, lighting::Material& material,
@@ -59,8 +31,7 @@ std::string usual_remedy(const lighting::MapUse& use) {
 void read_map(const Value& key, const lighting::MapUse& use, const std::string& folder, lighting::Material& material,
               std::vector<std::string>& warnings) {
     lighting::Map& map = material.maps.*use.map;
-    map.file = path_in(folder, key.text);
-    check_file(key, map.file);
+    map.file = existing_file(key, folder);
     if (reads_map(material.model, use)) return;
     const std::string model(find_key("material", "model")->words[static_cast<std::size_t>(material.model)]);
     const std::string what = in_quotes(key.key) + " is not read by model = \"" + model + "\"";

@@ -12,6 +12,7 @@
 #include "scene/load_maps.hpp"
 #include "scene/overrides.hpp"
 #include "scene/read_materials.hpp"
+#include "scene/read_environment.hpp"
 #include "scene/read_objects.hpp"
 #include "scene/shadow_words.hpp"
 #include "scene/toml_check.hpp"
@@ -36,6 +37,19 @@ void check_sample_grid(const Value& table, const ImageSettings& image) {
                     "the image has " + asked + " samples (size x samples); the largest is " + largest);
 }
 
+/// "environment" is the only word that may stand there.
+void read_background(const Value& table, ImageSettings& image) {
+    const Value* background = find(table, "background");
+    image.environment_background = background && background->kind == ValueKind::text;
+    if (!image.environment_background) read(table, "background", image.background);
+}
+
+void check_background(const Value& root, const Scene& scene) {
+    if (!scene.image.environment_background || scene.environment.on) return;
+    throw UserError(find(*find(root, "image"), "background")->place,
+                    "background = \"environment\" needs an [environment] that is on, e.g. sky = \"studio\"");
+}
+
 ImageSettings read_image(const Value& table) {
     ImageSettings image;
     if (const Value* size = find(table, "size")) {
@@ -44,7 +58,7 @@ ImageSettings read_image(const Value& table) {
     }
     read(table, "samples", image.samples);
     check_sample_grid(table, image);
-    read(table, "background", image.background);
+    read_background(table, image);
     read(table, "exposure", image.exposure);
     read_word(table, "tone_map", image.tone_map);
     read(table, "white", image.white);
@@ -184,6 +198,10 @@ Scene build_scene(const Value& root, const std::string& name, const std::string&
         for (const Value& table : tables->items) scene.lights.push_back(read_light(table));
     }
     if (const Value* table = find(root, "shadow")) scene.shadow = read_shadow(*table, scene.shading.frequency);
+    if (const Value* table = find(root, "environment")) {
+        scene.environment = read_environment(*table, folder, scene.warnings);
+    }
+    check_background(root, scene);
     if (const Value* table = find(root, "fog")) scene.fog = read_fog(*table);
     if (const Value* tables = find(root, "material")) read_materials(*tables, folder, scene);
     read_objects(root, folder, options, scene);

@@ -70,13 +70,25 @@ std::vector<lighting::LightSetup> make_lights(const Scene& scene) {
     return lights;
 }
 
-lighting::LightingSetup make_lighting(const Scene& scene, const std::vector<lighting::LightSetup>& lights) {
+/// Baking belongs to loading, not to the frame.
+void bake_if_missing(const Scene& scene, const RenderPlan& plan, RenderBuffers& buffers) {
+    if (!plan.environment.any()) return;
+    if (buffers.environment && serves(*buffers.environment, scene.environment, plan.environment)) return;
+    buffers.environment =
+        std::make_shared<PreparedEnvironment>(prepare_environment(scene.environment, plan.environment));
+}
+
+lighting::LightingSetup make_lighting(const Scene& scene, const RenderPlan& plan, const RenderBuffers& buffers,
+                                      const std::vector<lighting::LightSetup>& lights) {
     lighting::LightingSetup setup;
     setup.eye = scene.camera.position;
     setup.forward = view_direction(scene.camera);
     setup.orthographic = scene.camera.projection == raster::Projection::orthographic;
     setup.ambient = scene.ambient;
     setup.lights = lights;
+    if (plan.lit_by_environment || plan.environment.mirror) {
+        setup.environment = environment_setup(scene.environment, *buffers.environment);
+    }
     setup.fog = scene.fog;
     return setup;
 }
@@ -161,6 +173,7 @@ RenderStatistics render(const Scene& scene, const RenderPlan& plan, RenderBuffer
                         const std::function<void(const Frame&)>& look) {
     picture_begins(scene.image.width, scene.image.height);
     const ThreadLimit limit(threads);
+    bake_if_missing(scene, plan, buffers);
     RenderStatistics statistics;
     Stopwatch total;
     Stopwatch watch;
@@ -169,7 +182,7 @@ RenderStatistics render(const Scene& scene, const RenderPlan& plan, RenderBuffer
     const glm::mat4 clip_from_world = raster::clip_from_world(
         scene.camera, static_cast<float>(scene.image.width) / static_cast<float>(scene.image.height));
     const std::vector<lighting::LightSetup> lights = make_lights(scene);
-    const lighting::LightingSetup lighting = make_lighting(scene, lights);
+    const lighting::LightingSetup lighting = make_lighting(scene, plan, buffers, lights);
     buffers.instances = make_instances(scene);
     prepare_scratch(buffers);
     prepare_pictures(scene, plan, buffers);

@@ -35,6 +35,7 @@ struct RenderBuffers {
     std::vector<ShadowMemory> shadows;                    ///< one for each of the plan's shadows
     std::vector<std::vector<glm::vec3>> flat_color;       ///< flat shading: one a triangle, chunk by chunk
     std::vector<std::unique_ptr<TileScratch>> scratch;    ///< one a thread
+    std::shared_ptr<const PreparedEnvironment> environment;  ///< baked by the first frame that needs it, unless it is there
     raster::Image film;                                   ///< linear RGB radiance, row 0 on top
     std::vector<raster::Image> views;                     ///< one for each of the plan's views, as large as the film
     std::vector<int> tile_order;                          ///< tests shuffle the tiles; empty: row by row

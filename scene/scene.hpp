@@ -16,6 +16,7 @@
 #include "raster/camera.hpp"
 #include "raster/film.hpp"
 #include "raster/mesh.hpp"
+#include "scene/environment.hpp"
 #include "scene/error.hpp"
 #include "shadows/shadow.hpp"
 
@@ -65,6 +66,7 @@ struct Scene {
     glm::vec3 ambient{0.05f};                    ///< s_A
     std::vector<lighting::Light> lights;
     shadows::ShadowSettings shadow;              ///< for all lights with shadow = true
+    EnvironmentSettings environment;
     lighting::Fog fog;
     std::vector<lighting::Material> materials;   ///< at least one when there is an object
     std::vector<Object> objects;

@@ -28,7 +28,8 @@ std::vector<KeyInfo> make_keys() {
     return {
         {"image", "size", whole_pair, "[640, 360]", "width and height in pixels", {1, 16384}, {}, ""},
         {"image", "samples", whole, "1", "n x n supersampling", {1, 8}, {}, ""},
-        {"image", "background", vector, "[0, 0, 0]", "linear RGB", kNotNegative, {}, ""},
+        {"image", "background", vector_or_word, "[0, 0, 0]", "linear RGB, or what surrounds the scene", kNotNegative,
+         {"environment"}, ""},
         {"image", "exposure", number, "1.0", "multiplies radiance before tone mapping", kNotNegative, {}, ""},
         {"image", "tone_map", word, "\"none\"", "radiance to 0..1; none: clamp", kAny,
          {"none", "reinhard", "reinhard_extended"}, ""},
@@ -93,6 +94,15 @@ std::vector<KeyInfo> make_keys() {
         {"fog", "density", number, "0.1", "exp, exp2: per world unit", kNotNegative, {}, ""},
         {"fog", "distance", word, "\"radial\"", "from the eye, or from its plane", kAny, {"radial", "planar"}, ""},
         {"fog", "frequency", word, "\"pixel\"", "computed per pixel or per vertex", kAny, {"pixel", "vertex"}, ""},
+
+        {"environment", "file", text, "", "light from an image: equirectangular .hdr or .exr", kAny, {}, "\"studio.hdr\""},
+        {"environment", "sky", word, "", "or from a built-in sky", kAny, {"studio", "sunset", "gradient"}, "\"studio\""},
+        {"environment", "rotation", number, "0", "degrees about +y", kAny, {}, ""},
+        {"environment", "intensity", number, "1", "multiplies its light", kNotNegative, {}, ""},
+        {"environment", "irradiance", word, "\"map\"", "diffuse light: a map, or nine coefficients", kAny, {"map", "sh9"}, ""},
+        {"environment", "samples", whole, "2048", "specular light: samples baked for roughness 1", {32, 65536}, {}, ""},
+        {"environment", "reference", whole, "0", "0: the split sum; else samples a point of the integral itself", {0, 65536}, {}, ""},
+        {"environment", "on", boolean, "true", "false switches it off", kAny, {}, ""},
 
         {"material", "name", text, "\"default\"", "what objects call it", kAny, {}, "\"gold\""},
         {"material", "model", word, "\"blinn_phong\"", "the reflection model", kAny,
@@ -174,13 +184,6 @@ std::vector<KeyInfo> make_keys() {
     };
 }
 
-std::vector<Planned> make_planned() {
-    return {
-        {"environment", "", ""},
-        {"image", "background", "environment"},
-    };
-}
-
 std::string plain(double number) {
     char buffer[32];
     std::snprintf(buffer, sizeof buffer, "%g", number);
@@ -210,11 +213,6 @@ std::string words_text(const KeyInfo& info) {
 const std::vector<KeyInfo>& scene_keys() {
     static const std::vector<KeyInfo> keys = make_keys();
     return keys;
-}
-
-const std::vector<Planned>& planned_keys() {
-    static const std::vector<Planned> planned = make_planned();
-    return planned;
 }
 
 const KeyInfo* find_key(std::string_view table, std::string_view key) {

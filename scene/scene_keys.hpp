@@ -44,15 +44,6 @@ struct KeyInfo {
 /// All keys, in the order of the tables' first appearance in the documentation.
 [[nodiscard]] const std::vector<KeyInfo>& scene_keys();
 
-/// A part of the scene file that is designed but not built. Whoever builds it deletes its entry and adds its keys.
-struct Planned {
-    std::string_view table;
-    std::string_view key;    ///< empty: the whole table
-    std::string_view value;  ///< empty: the whole key, else only this word (or true)
-};
-
-[[nodiscard]] const std::vector<Planned>& planned_keys();
-
 /// The entry of a key, or nullptr.
 [[nodiscard]] const KeyInfo* find_key(std::string_view table, std::string_view key);
 

@@ -8,6 +8,7 @@ void shade_points(const Frame& frame, const raster::Fragments& points, std::uint
                   lighting::LightingChannels& channels) {
     const lighting::MaterialSetup& surface = frame.plan.materials[material];
     start_lighting(points, surface, frame.lighting, channels);
+    if (frame.plan.lit_by_environment) add_environment(points, surface, frame.lighting.environment, channels);
     if (surface.material.model != lighting::ReflectionModel::unlit) {
         for (std::size_t k = 0; k < frame.lighting.lights.size(); ++k) {
             sample_light(points, frame.lighting.lights[k], channels);

@@ -4,6 +4,7 @@
 
 #include "raster/copy_past_cache.hpp"
 #include "raster/platform.hpp"
+#include "scene/background.hpp"
 #include "scene/debug_pixel.hpp"
 #include "scene/shade.hpp"
 #include "scene/stopwatch.hpp"
@@ -118,6 +119,14 @@ KREDA_BATCH_LOOP void scatter_runs(const raster::Channel3& radiance, const Run* 
 
 void fill_background(const glm::vec3& background, TileColor& color) {
     for (int c = 0; c < 3; ++c) std::fill(std::begin(color.plane[c]), std::end(color.plane[c]), background[c]);
+}
+
+/// What is seen where nothing is drawn.
+void start_color(const Frame& frame, const TileArea& area, TileScratch& scratch) {
+    if (!frame.scene.image.environment_background) return fill_background(frame.scene.image.background, scratch.color);
+    const ViewRays rays = view_rays(frame.scene.camera, frame.plan.viewport);
+    float* const planes[3] = {scratch.color.plane[0], scratch.color.plane[1], scratch.color.plane[2]};
+    look_past_tile(rays, frame.lighting.environment, area, scratch.lighting.environment, planes);
 }
 
 /// The values of a view at the points of the batch, into the tile.
@@ -238,7 +247,7 @@ void render_tile(const Frame& frame, int tile_index, TileScratch& scratch) {
     rasterize_tile(frame.buffers.streams, frame.buffers.triangles, area, scratch.visibility);
     const int run_count = find_runs(scratch.visibility, area, frame.buffers.triangles, scratch.runs);
     const int covered = samples_of(scratch.runs, run_count);
-    if (covered < area.width * area.height) fill_background(frame.scene.image.background, scratch.color);
+    if (covered < area.width * area.height) start_color(frame, area, scratch);
     start_views(frame.plan, scratch);
     scratch.visibility_ms += watch.lap_ms();
     shade_runs(frame, area, run_count, scratch);

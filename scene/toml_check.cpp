@@ -109,22 +109,6 @@ void check_value(const Value& value, const KeyInfo& info) {
     }
 }
 
-constexpr const char* kNotBuilt = " is not built yet in this version (planned); remove it to render";
-
-void refuse_planned_key(const std::string& table, const Value& member) {
-    const std::string value = member.kind == ValueKind::boolean ? describe(member) : member.text;
-    for (const Planned& planned : planned_keys()) {
-        if (planned.table != table || planned.key != member.key || planned.key.empty()) continue;
-        if (planned.value.empty()) {
-            throw UserError(member.key_place, in_quotes(member.key) + " in " + table_title(table) + kNotBuilt);
-        }
-        if (planned.value == value) {
-            const std::string shown = member.kind == ValueKind::text ? in_quotes(value, '"') : value;
-            throw UserError(member.place, member.key + " = " + shown + kNotBuilt);
-        }
-    }
-}
-
 [[noreturn]] void throw_unknown_key(const std::string& table, const Value& member) {
     throw UserError(member.key_place, "unknown key " + in_quotes(member.key) + " in " + table_title(table) +
                                           did_you_mean(member.key, key_names(table), "keys"));
@@ -132,7 +116,6 @@ void refuse_planned_key(const std::string& table, const Value& member) {
 
 void check_table(const std::string& name, const Value& table) {
     for (const Value& member : table.items) {
-        refuse_planned_key(name, member);
         const KeyInfo* info = find_key(name, member.key);
         if (!info) throw_unknown_key(name, member);
         check_value(member, *info);
@@ -170,16 +153,9 @@ void throw_unexpected(const Place& place, const KeyInfo& info, const std::string
     throw UserError(place, sentence + "; expected " + type_text(info) + ", e.g. " + example_text(info));
 }
 
-void refuse_planned_table(const std::string& table, const Place& place) {
-    for (const Planned& planned : planned_keys()) {
-        if (planned.table == table && planned.key.empty()) throw UserError(place, in_quotes(table) + kNotBuilt);
-    }
-}
-
 void check_tables(const Value& root) {
     const std::vector<std::string> known = table_names();
     for (const Value& member : root.items) {
-        refuse_planned_table(member.key, member.key_place);
         if (std::find(known.begin(), known.end(), member.key) == known.end()) throw_unknown_table(member);
         if (!is_written_right(member)) {
             const std::string title = table_title(member.key);

@@ -14,9 +14,6 @@ void check_tables(const Value& root);
 /// Every key is known and built, every value has the right type and range. Requires check_tables.
 void check_keys(const Value& root);
 
-/// Throws for a table that is designed but not built yet.
-void refuse_planned_table(const std::string& table, const Place& place);
-
 /// Complain about the value of a key: "'near' in [camera] is -1; expected a number > 0, e.g. near = 0.1".
 [[noreturn]] void throw_unexpected(const Place& place, const KeyInfo& info, const std::string& found);
 

@@ -44,6 +44,18 @@ bool is_lit_microfacet(const RenderPlan& plan, std::uint32_t material) {
     return is_microfacet(plan, material) && plan.has_lights;
 }
 
+bool in_environment(const RenderPlan& plan, std::uint32_t material) {
+    return lit_at_pixels(plan, material) && plan.lit_by_environment;
+}
+
+bool in_split_sum(const RenderPlan& plan, std::uint32_t material) {
+    return in_environment(plan, material) && plan.environment.irradiance;
+}
+
+bool mirrors_environment(const RenderPlan& plan, std::uint32_t material) {
+    return is_microfacet(plan, material) && plan.environment.blurred;
+}
+
 bool has_map(const RenderPlan& plan, std::uint32_t material, lighting::Map lighting::MaterialMaps::*map) {
     return plan.frequency == ShadingFrequency::phong && (plan.materials[material].maps.*map).texture;
 }
@@ -76,6 +88,12 @@ constexpr const char* kLitMicrofacet =
     "shading.frequency = \"phong\", a material with model = \"cook_torrance\" and a light";
 constexpr const char* kGrain =
     "shading.frequency = \"phong\" and a material with model = \"heidrich_seidel\", or \"ward\" and ward_alpha";
+constexpr const char* kEnvironment =
+    "shading.frequency = \"phong\", a material that is not unlit and an [environment]";
+constexpr const char* kSplitSum =
+    "shading.frequency = \"phong\", a material that is not unlit and an [environment] with reference = 0";
+constexpr const char* kMirror =
+    "shading.frequency = \"phong\", a material with model = \"cook_torrance\" and an [environment] with reference = 0";
 constexpr const char* kShadows =
     "shading.frequency = \"phong\", a material that is not unlit and a light whose shadow = true falls on something seen";
 constexpr const char* kMap = "shading.frequency = \"phong\" and a material with that map, read by its model";
@@ -146,7 +164,21 @@ std::vector<View> make_views() {
          [](const Batch& b, int i, int) { return geometry_from_visibility(b.lighting.microfacet, i); }},
         {"F", "Fresnel reflectance at v.h, of the last light that is on", kLitMicrofacet, 3, color, kNothing,
          is_lit_microfacet, [](const Batch& b, int i, int c) { return b.lighting.microfacet.F.at(i)[c]; }},
-        {"ambient", "s_A m_A + m_E: what is there without any light", kLit, 3, radiance, kNothing, lit_at_pixels,
+        {"irradiance", "E: what the environment sends to a plane of this normal", kSplitSum, 3, radiance, kNothing, in_split_sum,
+         [](const Batch& b, int i, int c) { return b.lighting.environment.irradiance.at(i)[c]; }},
+        {"prefilter", "P: the environment around the mirror direction, blurred as the surface is rough", kMirror, 3, radiance,
+         kNothing, mirrors_environment,
+         [](const Batch& b, int i, int c) { return b.lighting.environment.prefiltered.at(i)[c]; }},
+        {"brdf", "A and B: scale (red) and bias (green) of F0 in the split sum", kMirror, 3, share, kNothing,
+         mirrors_environment,
+         [](const Batch& b, int i, int c) { return c < 2 ? b.lighting.environment.brdf.at(i)[c] : 0.0f; }},
+        {"fresnel", "Fresnel reflectance at n.v, as the environment sees it", kMirror, 3, color, kNothing, mirrors_environment,
+         [](const Batch& b, int i, int c) { return b.lighting.environment.F.at(i)[c]; }},
+        {"environment_diffuse", "diffuse reflection of the environment", kEnvironment, 3, radiance, kNothing, in_environment,
+         [](const Batch& b, int i, int c) { return b.lighting.environment.diffuse.at(i)[c]; }},
+        {"environment_specular", "specular reflection of the environment", kEnvironment, 3, radiance, kNothing,
+         in_environment, [](const Batch& b, int i, int c) { return b.lighting.environment.specular.at(i)[c]; }},
+        {"ambient", "s_A m_A + m_E and the environment: what is there without any light", kLit, 3, radiance, kNothing, lit_at_pixels,
          [](const Batch& b, int i, int c) { return b.lighting.ambient.at(i)[c]; }},
         {"diffuse", "diffuse reflection of all lights", kLit, 3, radiance, kNothing, lit_at_pixels,
          [](const Batch& b, int i, int c) { return b.lighting.diffuse.at(i)[c]; }},

@@ -81,8 +81,6 @@ TEST_CASE("A complaint about an override quotes it") {
     CHECK(complaint("light.on=true") == "--set light.on=true: which one? write light.0.on");
     CHECK(complaint("material.glod.shininess=1") ==
           "--set material.glod.shininess=1: there is no material 'glod'; did you mean 'gold'?");
-    CHECK(complaint("environment.sky=studio") == "--set environment.sky=studio: 'environment' is not built yet in this "
-                                                 "version (planned); remove it to render");
 }
 
 TEST_CASE("An override that is not TABLE.KEY=VALUE says what is") {

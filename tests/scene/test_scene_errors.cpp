@@ -141,18 +141,16 @@ TEST_CASE("The largest image is 16384 samples a side and 2^27 altogether") {
           "altogether");
 }
 
-TEST_CASE("What is planned but not built says so") {
-    const std::string end = " is not built yet in this version (planned); remove it to render";
-    for (const Planned& planned : planned_keys()) {
-        const std::string table = table_title(planned.table) + "\n";
-        const std::string word = planned.value == "true" ? "true" : "'" + std::string(planned.value) + "'";
-        const std::string key = planned.key.empty() ? "" : std::string(planned.key) + " = " + word + "\n";
-        CAPTURE(table + key);
-        CHECK(has(complaint(table + key), end));
-    }
-    CHECK(complaint("[[light]]\n[environment]\nsky = 'studio'\n") == "s.toml:2:2: 'environment'" + end);
-    CHECK(complaint("[[light]]\nshadow = true\n[shadow]\nmethod = 'map'\n") == "no complaint");
-    CHECK(complaint("[image]\nbackground = 'environment'\n") == "s.toml:2:14: background = \"environment\"" + end);
+TEST_CASE("An environment needs a file or a sky and a background needs an environment") {
+    CHECK(complaint("[environment]\nrotation = 90\n") ==
+          "s.toml:1:1: [environment] needs a file or a sky, e.g. file = \"studio.hdr\" or sky = \"studio\"");
+    CHECK(complaint("[environment]\nsky = 'studio'\nfile = 'a.hdr'\n") ==
+          "s.toml:3:8: 'file' and 'sky' in [environment] both give the light; remove one of them");
+    CHECK(complaint("[environment]\nfile = 'no.hdr'\n") == "s.toml:2:8: 'file': 'no.hdr' is not there");
+    CHECK(place("[environment]\nsky = 'noon'\n") == "s.toml:2:7");
+    CHECK(complaint("[image]\nbackground = 'environment'\n") ==
+          "s.toml:2:14: background = \"environment\" needs an [environment] that is on, e.g. sky = \"studio\"");
+    CHECK(complaint("[image]\nbackground = 'environment'\n[environment]\nsky = 'sunset'\n") == "no complaint");
 }
 
 TEST_CASE("The microfacet model's constants have their ranges") {
@@ -162,14 +160,6 @@ TEST_CASE("The microfacet model's constants have their ranges") {
     CHECK(complaint("[[material]]\nextinction = [3, 2, 1]\n") ==
           "s.toml:2:14: 'extinction' in [[material]] needs 'ior' beside it: a metal has both n and k");
     CHECK(complaint("[[material]]\nior = [1.5, 1.5, 1.5]\n") == "no complaint");
-}
-
-TEST_CASE("Nothing is both planned and known") {
-    for (const Planned& planned : planned_keys()) {
-        if (!planned.value.empty() || planned.key.empty()) continue;
-        CAPTURE(planned.key);
-        CHECK(find_key(planned.table, planned.key) == nullptr);
-    }
 }
 
 TEST_CASE("Keys of a material that contradict or lack each other are reported with the remedy") {

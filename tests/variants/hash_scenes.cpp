@@ -153,6 +153,18 @@ std::vector<NamedScene> make_scenes() {
         s.image.samples = 1 + method % 2;
         scenes.push_back({"shadow method " + std::to_string(method), s});
     }
+    for (int i = 0; i < 4; ++i) {  // split sum by map and by coefficients, with bounces; the integral itself
+        scene::Scene s = base_scene(ReflectionModel::cook_torrance);
+        s.environment.on = true;
+        s.environment.sky = static_cast<lighting::Sky>(i % 3);
+        s.environment.samples = 256;
+        s.environment.rotation_deg = 30.0f * static_cast<float>(i);
+        s.environment.irradiance = static_cast<lighting::IrradianceForm>(i % 2);
+        s.environment.reference = i == 3 ? 16 : 0;
+        s.image.environment_background = true;
+        s.materials[0].cook_torrance.energy_compensation = static_cast<lighting::EnergyCompensation>(i % 2);
+        scenes.push_back({"environment " + std::to_string(i), s});
+    }
     return scenes;
 }
 

@@ -1,0 +1,157 @@
+// Light from the environment in a whole scene: constant light, the white furnace, rotation, and only what is needed.
+#include <cmath>
+#include <string>
+
+#include <doctest/doctest.h>
+#include <glm/geometric.hpp>
+
+#include "lighting/environment_image.hpp"
+#include "scene/read_scene.hpp"
+#include "scene/render.hpp"
+
+using namespace kreda;
+using namespace kreda::scene;
+
+namespace {
+
+/// A ball without lamps, lit by an environment of radiance L(direction).
+template <class Radiance>
+Scene ball(const std::string& material, Radiance L, const std::string& environment = "") {
+    Scene scene = read_scene_text("[image]\nsize = [48, 48]\n[camera]\nposition = [0, 0, 4]\nprojection = \"orthographic\"\n"
+                                  "height = 2\n[ambient]\ncolor = [0, 0, 0]\n[environment]\nsky = \"gradient\"\n" + environment +
+                                  "[[object]]\nmesh = \"sphere\"\ndetail = 96\nmaterial = \"m\"\n[[material]]\nname = \"m\"\n" +
+                                  material, "test", "");
+    raster::Image image = raster::make_image(64, 32, 3);
+    for (int y = 0; y < 32; ++y) {
+        for (int x = 0; x < 64; ++x) {
+            image.set_rgb(x, y, L(lighting::equirect_direction({(float(x) + 0.5f) / 64.0f, (float(y) + 0.5f) / 32.0f})));
+        }
+    }
+    scene.environment.image = std::make_shared<raster::Image>(image);
+    return scene;
+}
+
+glm::vec3 even(const glm::vec3&) { return {0.5f, 1.0f, 2.0f}; }
+
+raster::Image view_of(const Scene& scene, const char* name) {
+    RenderBuffers buffers;
+    const View* view = find_view(name);
+    REQUIRE(view);
+    render(scene, make_plan(scene, {view}), buffers);
+    return buffers.views[0];
+}
+
+const std::string kWhiteMetal = "model = \"cook_torrance\"\nalbedo = [1, 1, 1]\nmetallic = 1\ngeometry = \"smith_correlated\"\n";
+
+}  // namespace
+
+TEST_CASE("environment: even light makes a white Lambert ball as bright as itself") {
+    for (const char* form : {"map", "sh9"}) {
+        CAPTURE(form);
+        const Scene scene = ball("model = \"lambert\"\ndiffuse = [1, 1, 1]\n", even,
+                                 "irradiance = \"" + std::string(form) + "\"\n");
+        const glm::vec3 seen = render(scene).rgb(30, 20);
+        // The sum over the texels rounds in float, and their solid angles are those of a cube: 1e-3 for its cosine sum.
+        for (int c = 0; c < 3; ++c) CHECK(seen[c] == doctest::Approx(even({})[c]).epsilon(1e-3));
+    }
+}
+
+TEST_CASE("environment: a white metal in even light loses only what single scattering loses") {
+    // Directional albedo of GGX with Smith's correlated G at n.v = 1: E(1) of roughness 0.3 and 1 (quadrature; the last is
+    // 1 - ln 2).
+    const struct { const char* roughness; double E; } rows[] = {{"0.3", 0.99070}, {"1", 0.30685282}};
+    for (const auto& row : rows) {
+        CAPTURE(row.roughness);
+        const std::string material = kWhiteMetal + "roughness = " + row.roughness + "\n";
+        const Scene scene = ball(material, even);
+        CHECK(render(scene).at(1, 24, 24) == doctest::Approx(row.E).epsilon(4e-3));  // the map's own error
+        const Scene compensated = ball(material + "energy_compensation = \"kulla_conty\"\n", even);
+        CHECK(render(compensated).at(1, 24, 24) == doctest::Approx(1.0).epsilon(4e-3));
+    }
+}
+
+TEST_CASE("environment: in even light the split sum is the integral") {
+    for (const std::string& material : {kWhiteMetal + "roughness = 0.5\n",
+                                       std::string("model = \"cook_torrance\"\nalbedo = [0.8, 0.4, 0.2]\nroughness = 0.4\n")}) {
+        CAPTURE(material);
+        const raster::Image split = view_of(ball(material, even), "environment_specular");
+        const raster::Image exact = view_of(ball(material, even, "reference = 4096\n"), "environment_specular");
+        for (const int x : {24, 32, 38}) {
+            CAPTURE(x);
+            for (int c = 0; c < 3; ++c) {
+                CHECK(split.at(c, x, 24) == doctest::Approx(exact.at(c, x, 24)).epsilon(1e-2));
+            }
+        }
+    }
+}
+
+TEST_CASE("environment: a turn by 90 degrees turns the light") {
+    const auto from_right = [](const glm::vec3& d) { return glm::vec3(d.x > 0.0f ? d.x : 0.0f); };
+    const auto from_front = [](const glm::vec3& d) { return glm::vec3(d.z > 0.0f ? d.z : 0.0f); };
+    const std::string material = "model = \"cook_torrance\"\nroughness = 0.4\n";
+    // Counter-clockwise seen from above, +x goes to -z; by -90 degrees it goes to +z.
+    const raster::Image turned = render(ball(material, from_right, "rotation = -90\n"));
+    const raster::Image front = render(ball(material, from_front));
+    const raster::Image right = render(ball(material, from_right));
+    CHECK(turned.at(0, 24, 24) == doctest::Approx(front.at(0, 24, 24)).epsilon(0.02));  // 64 texels around the image
+    CHECK(turned.at(0, 38, 24) == doctest::Approx(front.at(0, 38, 24)).epsilon(0.02));
+    CHECK(right.at(0, 24, 24) < 0.5f * front.at(0, 24, 24));
+}
+
+TEST_CASE("environment: intensity multiplies it") {
+    const std::string material = "model = \"lambert\"\n";
+    const float once = render(ball(material, even)).at(1, 24, 24);
+    CHECK(render(ball(material, even, "intensity = 3\n")).at(1, 24, 24) == doctest::Approx(3.0 * once).epsilon(1e-6));
+}
+
+TEST_CASE("environment: the background shows the direction behind each sample") {
+    Scene scene = ball("", [](const glm::vec3& d) { return 0.5f * d + glm::vec3(0.5f); });
+    scene.image.environment_background = true;
+    scene.camera.projection = raster::Projection::perspective;
+    scene.camera.vertical_fov_deg = 90.0f;
+    scene.objects.clear();
+    const raster::Image seen = render(scene);
+    for (const int x : {4, 24, 44}) {
+        for (const int y : {4, 24, 44}) {
+            CAPTURE(x);
+            CAPTURE(y);
+            const glm::vec3 d = glm::normalize(glm::vec3((float(x) + 0.5f) / 24.0f - 1.0f, 1.0f - (float(y) + 0.5f) / 24.0f, -1.0f));
+            const glm::vec3 expected = 0.5f * d + glm::vec3(0.5f);
+            CHECK(glm::distance(seen.rgb(x, y), expected) < 0.02f);  // half a texel of 64 around, seen through a cube's
+        }
+    }
+}
+
+TEST_CASE("environment: only what the scene requires is baked") {
+    const auto needs = [](const Scene& scene) { return make_plan(scene).environment; };
+    CHECK_FALSE(needs(ball("model = \"unlit\"\n", even)).any());
+    const lighting::EnvironmentNeeds lambert = needs(ball("model = \"lambert\"\n", even));
+    CHECK(lambert.irradiance);
+    CHECK_FALSE(lambert.blurred);
+    CHECK_FALSE(lambert.mirror);
+    CHECK(lambert.brdf.empty());
+    const lighting::EnvironmentNeeds metal = needs(ball("model = \"cook_torrance\"\n", even));
+    CHECK(metal.blurred);
+    CHECK(metal.brdf.size() == 1);
+    const lighting::EnvironmentNeeds reference = needs(ball("model = \"cook_torrance\"\n", even, "reference = 16\n"));
+    CHECK(reference.mirror);
+    CHECK_FALSE(reference.blurred);
+    CHECK_FALSE(reference.irradiance);
+    CHECK_FALSE(needs(ball("model = \"cook_torrance\"\n", even, "on = false\n")).any());
+}
+
+TEST_CASE("environment: one that is off changes no bit") {
+    const Scene off = ball("model = \"cook_torrance\"\nemission = [0.1, 0.2, 0.3]\n", even, "on = false\n");
+    Scene none = off;
+    none.environment = {};
+    CHECK(render(off).values == render(none).values);
+}
+
+TEST_CASE("environment: flat and Gouraud shading gather it at centroids and vertices") {
+    for (const char* frequency : {"flat", "gouraud"}) {
+        CAPTURE(frequency);
+        Scene scene = ball("model = \"lambert\"\ndiffuse = [1, 1, 1]\n", even);
+        scene.shading.frequency = frequency == std::string("flat") ? ShadingFrequency::flat : ShadingFrequency::gouraud;
+        CHECK(render(scene).at(2, 30, 20) == doctest::Approx(2.0).epsilon(1e-3));
+    }
+}
