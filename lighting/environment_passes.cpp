@@ -129,7 +129,7 @@ void find_split_sum(int count, const CookTorranceSetup& surface, const Environme
 // ---------------------------------------------------------------------------------------- the integral itself
 
 KREDA_BATCH_LOOP void start_reference(int lanes, EnvironmentChannels& e) {
-    for (int i = 0; i < lanes; ++i) {
+    for (int i = 0; i < lanes; ++i) {  // not vectorized: GCC makes it calls of memset
         e.diffuse.set(i, glm::vec3(0.0f));
         e.specular.set(i, glm::vec3(0.0f));
     }
@@ -183,7 +183,9 @@ KREDA_BATCH_LOOP void add_irradiance_sample(int lanes, float share, EnvironmentC
 }
 
 KREDA_BATCH_LOOP void start_irradiance(int lanes, EnvironmentChannels& e) {
-    for (int i = 0; i < lanes; ++i) e.irradiance.set(i, glm::vec3(0.0f));
+    for (int i = 0; i < lanes; ++i) {  // not vectorized: GCC makes it calls of memset
+        e.irradiance.set(i, glm::vec3(0.0f));
+    }
 }
 
 /// F_ms f_ms L (n.l) / p
