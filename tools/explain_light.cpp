@@ -60,8 +60,23 @@ void explain_ambient(const LitPoint& point, const LightingChannels& c, Section& 
     const lighting::PhongMaterial& m = material.phong;
     if (material.model == ReflectionModel::unlit) {
         const glm::vec3 m_D = setup.maps.diffuse.texture ? c.m_D.at(0) : m.diffuse;
-        section.equation("ambient", "m_D + m_E", vector_text(m_D) + " + " + vector_text(m.emission),
-                         c.ambient.at(0), "unlit: no light matters");
+        section.equation("ambient", "m_D + m_E", vector_text(m_D) + " + " + vector_text(m.emission), c.ambient.at(0),
+                         "unlit: no light matters");
+    } else if (point.frame.plan.lit_by_environment) {
+        const glm::vec3 diffuse = c.environment.diffuse.at(0), specular = c.environment.specular.at(0);
+        section.equation("E", "", "", c.environment.irradiance.at(0), "irradiance from the environment on n");
+        if (material.model == ReflectionModel::cook_torrance) {
+            section.equation("P", "", "", c.environment.prefiltered.at(0),
+                             "radiance around the mirror direction, blurred by roughness");
+            section.equation("F", "", "", c.environment.F.at(0), "Fresnel reflectance at n·v");
+        }
+        section.equation("env_D", "", "", diffuse,
+                         "diffuse light from the environment; its factors are among the channels");
+        section.equation("env_S", "", "", specular, "specular light from it");
+        section.equation("ambient", "without lamps + env_D + env_S",
+                         vector_text(c.ambient.at(0) - diffuse - specular) + " + " + vector_text(diffuse) + " + " +
+                             vector_text(specular),
+                         c.ambient.at(0));
     } else if (material.model == ReflectionModel::cook_torrance) {
         section.equation("ambient", "m_E", "", c.ambient.at(0), "the microfacet model knows no ambient light");
     } else {
