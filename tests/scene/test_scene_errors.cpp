@@ -42,8 +42,8 @@ TEST_CASE("An unknown table is reported where it stands with the nearest known o
     CHECK(complaint("\n[camra]\n") == "s.toml:2:2: unknown table [camra]; did you mean 'camera'?");
     CHECK(complaint("[[lights]]\n") == "s.toml:1:3: unknown table [lights]; did you mean 'light'?");
     CHECK(complaint("[qqqqqqqq]\n") ==
-          "s.toml:1:2: unknown table [qqqqqqqq]; known tables: image, camera, shading, ambient, light, shadow, fog, material, "
-          "object");
+          "s.toml:1:2: unknown table [qqqqqqqq]; known tables: image, camera, shading, ambient, light, shadow, fog, "
+          "environment, material, object");
     CHECK(complaint("near = 3\n") == "s.toml:1:1: 'near' is outside of any table; it belongs below [camera]");
 }
 
