@@ -26,15 +26,27 @@ struct MapPoints {
 void locate(const ShadowMap& map, const raster::Channel3& position, const raster::Channel3& normal, int lanes,
             MapPoints& points);
 
-/// Where a texel stands in its face, ring included: what lies beyond the ring (or is NaN) counts as on it.
-inline int place_of_texel(float u, float v, float size, int stride) {
+/// How a face's texels lie in memory.
+struct TexelGrid {
+    float size = 0.0f;     ///< texels a side
+    int stride = 0;        ///< from row to row
+    int before_first = 0;  ///< where the texel in column -1 and row -1 stands
+};
+
+[[nodiscard]] inline TexelGrid texel_grid(const ShadowMap& map) {
+    return {static_cast<float>(map.size()), map.stride(), map.first_texel() - map.stride() - 1};
+}
+
+/// Where a texel stands in its face: what lies outside (or is NaN) counts as one texel outside, which is in the ring.
+inline int place_of_texel(float u, float v, const TexelGrid& grid) {
+    const float end = grid.size + 1.0f;
     const float x = u + 1.0f;
     const float y = v + 1.0f;
     const float x_positive = x > 0.0f ? x : 0.0f;
     const float y_positive = y > 0.0f ? y : 0.0f;
-    const int column = static_cast<int>(x_positive < size + 1.0f ? x_positive : size + 1.0f);
-    const int row = static_cast<int>(y_positive < size + 1.0f ? y_positive : size + 1.0f);
-    return row * stride + column;
+    const int column = static_cast<int>(x_positive < end ? x_positive : end);
+    const int row = static_cast<int>(y_positive < end ? y_positive : end);
+    return grid.before_first + row * grid.stride + column;
 }
 
 }  // namespace kreda::shadows

@@ -59,17 +59,25 @@ KREDA_BATCH_LOOP void fill(int lanes, float value, Channel& channel) {
     for (int i = 0; i < lanes; ++i) channel.set(i, value);
 }
 
-/// One tap of a filter, (d_u, d_v) texels beside each point: add 1 where the light arrives.
-/// The depth test of the camera, seen from the light: lit if nothing that casts lies nearer.
-KREDA_BATCH_LOOP void add_tap(const MapPoints& points, int lanes, const float* distances, int texels, float d_u,
-                              float d_v, Channel& lit) {
-    const float size = static_cast<float>(texels);
-    const int stride = texels + 2;
+/// The texel into which each point of a batch falls.
+struct Texels {
+    alignas(64) int place[raster::kChannelSize];
+};
+
+KREDA_BATCH_LOOP void find_texels(const MapPoints& points, int lanes, const TexelGrid& texel_grid, Texels& texels) {
+    const TexelGrid grid = texel_grid;
     for (int i = 0; i < lanes; ++i) {
-        const int texel =
-            points.face_begin[i] + place_of_texel(points.u.at(i) + d_u, points.v.at(i) + d_v, size, stride);
+        texels.place[i] = points.face_begin[i] + place_of_texel(points.u.at(i), points.v.at(i), grid);
+    }
+}
+
+/// One tap of a filter, (d_u, d_v) texels beside each point: add 1 where the light arrives. `tap` is the distance that
+/// far from the first texel. The depth test of the camera, seen from the light: lit if nothing that casts lies nearer.
+KREDA_BATCH_LOOP void add_tap(const MapPoints& points, const Texels& texels, int lanes, const float* tap, float d_u,
+                              float d_v, Channel& lit) {
+    for (int i = 0; i < lanes; ++i) {
         const float distance = points.distance.at(i) + points.slope_u.at(i) * d_u + points.slope_v.at(i) * d_v;
-        lit.set(i, lit.at(i) + (distance <= distances[texel] ? 1.0f : 0.0f));
+        lit.set(i, lit.at(i) + (distance <= tap[texels.place[i]] ? 1.0f : 0.0f));
     }
 }
 
@@ -80,11 +88,13 @@ KREDA_BATCH_LOOP void scale(int lanes, float factor, Channel& channel) {
 
 /// Percentage-closer filtering: compare first, then average, over (2 radius + 1)^2 texels.  Reeves, Salesin, Cook 1987
 void filter_box(const ShadowMap& map, const MapPoints& points, int lanes, int radius, Channel& shadow) {
+    Texels texels;
+    find_texels(points, lanes, texel_grid(map), texels);
     fill(lanes, 0.0f, shadow);
     for (int v = -radius; v <= radius; ++v) {
         for (int u = -radius; u <= radius; ++u) {
-            add_tap(points, lanes, map.distance.data(), map.size(), static_cast<float>(u), static_cast<float>(v),
-                    shadow);
+            const float* tap = map.distance.data() + v * map.stride() + u;
+            add_tap(points, texels, lanes, tap, static_cast<float>(u), static_cast<float>(v), shadow);
         }
     }
     const float side = static_cast<float>(2 * radius + 1);
@@ -92,13 +102,10 @@ void filter_box(const ShadowMap& map, const MapPoints& points, int lanes, int ra
 }
 
 /// What the texel under each point says: how far before it the light is stopped.
-KREDA_BATCH_LOOP void nearest_blocker(const MapPoints& points, int lanes, const float* distances, int texels,
+KREDA_BATCH_LOOP void nearest_blocker(const MapPoints& points, const Texels& texels, int lanes, const float* distances,
                                       Channel& blocker_distance) {
-    const float size = static_cast<float>(texels);
-    const int stride = texels + 2;
     for (int i = 0; i < lanes; ++i) {
-        const int texel = points.face_begin[i] + place_of_texel(points.u.at(i), points.v.at(i), size, stride);
-        const float before = points.distance.at(i) - distances[texel];
+        const float before = points.distance.at(i) - distances[texels.place[i]];
         blocker_distance.set(i, before > 0.0f ? before : 0.0f);
     }
 }
@@ -137,7 +144,9 @@ void shadow_blockers(const ShadowMap& map, const raster::Channel3& position, con
     MapPoints points;
     locate(map, position, normal, lanes, points);
     if (map.plan.settings.filter != ShadowFilter::pcss) {
-        nearest_blocker(points, lanes, map.distance.data(), map.size(), blocker_distance);
+        Texels texels;
+        find_texels(points, lanes, texel_grid(map), texels);
+        nearest_blocker(points, texels, lanes, map.distance.data(), blocker_distance);
         return fill(lanes, 0.0f, penumbra);
     }
     SoftShadow soft;

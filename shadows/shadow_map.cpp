@@ -68,8 +68,10 @@ KREDA_BATCH_LOOP float least_of(const float* values, int count) {
     return *std::min_element(std::begin(least), std::end(least));
 }
 
-/// Draw one face, tile by tile; returns the least distance in it.
-float draw_face(const ShadowMapBuffers& buffers, const LightView& view, int size, int stride, float* face) {
+/// Draw one face, tile by tile, into `texels`, whose rows are `stride` apart. Returns the least distance in it if that
+/// is asked for.
+float draw_face(const ShadowMapBuffers& buffers, const LightView& view, int size, int stride, bool find_nearest,
+                float* texels) {
     const raster::Viewport viewport{size, size};
     const DistanceFromDepth from_depth(view);
     const int tile_count = buffers.triangles.grid.columns * buffers.triangles.grid.rows;
@@ -80,24 +82,25 @@ float draw_face(const ShadowMapBuffers& buffers, const LightView& view, int size
         const raster::TileArea area = tile_area(buffers.triangles.grid, viewport, t);
         rasterize_tile(buffers.streams, buffers.triangles, area, tile);
         for (int y = 0; y < area.height; ++y) {
-            float* row = face + static_cast<std::size_t>(area.y + y + 1) * stride + area.x + 1;
+            float* row = texels + static_cast<std::size_t>(area.y + y) * stride + area.x;
             write_row(&tile.depth[y * kTileSide], area.width, from_depth, view.perspective, row);
-            nearest = std::min(nearest, least_of(row, area.width));
+            if (find_nearest) nearest = std::min(nearest, least_of(row, area.width));
         }
     }
     return nearest;
 }
 
 /// The ring around a face: no caster, or (cube) the nearest texel of the face itself.
-void fill_ring(int size, int stride, bool repeat_edge, float* face) {
-    const auto texel = [&](int column, int row) -> float& {
-        return face[static_cast<std::size_t>(row + 1) * stride + column + 1];
-    };
+void fill_ring(const ShadowMap& map, bool repeat_edge, float* face) {
+    const int size = map.size();
     const auto inside = [&](int i) { return std::clamp(i, 0, size - 1); };
-    for (int i = -1; i <= size; ++i) {
-        for (const int edge : {-1, size}) {
-            texel(i, edge) = repeat_edge ? texel(inside(i), inside(edge)) : kNoCaster;
-            texel(edge, i) = repeat_edge ? texel(inside(edge), inside(i)) : kNoCaster;
+    for (int row = -map.ring(); row < size + map.ring(); ++row) {
+        float* texel = face + map.first_texel() + row * map.stride();
+        const float* edge = face + map.first_texel() + inside(row) * map.stride();
+        const bool is_ring = row != inside(row);
+        for (int column = -map.ring(); column < size + map.ring(); ++column) {
+            if (!is_ring && column == 0) column = size;  // what lies between has been drawn
+            texel[column] = repeat_edge ? edge[inside(column)] : kNoCaster;
         }
     }
 }
@@ -128,23 +131,28 @@ void draw_shadow_map(std::vector<raster::MeshInstance>& casters, const ShadowMap
         lay_out_vertices(casters, {}, buffers.streams);
         transform_vertices(casters, clip, viewport, buffers.streams);
         setup_triangles(casters, clip, viewport, cull_mode(plan.settings.cull), 1, buffers.streams, buffers.triangles);
-        map.nearest = std::min(map.nearest, draw_face(buffers, view, map.size(), map.stride(), face));
-        fill_ring(map.size(), map.stride(), plan.views.size() > 1, face);
+        const bool is_soft = plan.settings.filter == ShadowFilter::pcss;
+        const float nearest = draw_face(buffers, view, map.size(), map.stride(), is_soft, face + map.first_texel());
+        map.nearest = std::min(map.nearest, nearest);
+        fill_ring(map, plan.views.size() > 1, face);
         face += map.face_stride();
     }
 }
 
 raster::Image shadow_map_picture(const ShadowMap& map) {
     const int faces = static_cast<int>(map.plan.views.size());
-    float farthest = 0.0f;
-    for (const float d : map.distance) farthest = d < kNoCaster ? std::max(farthest, d) : farthest;
-    const float range = farthest > map.nearest ? farthest - map.nearest : 1.0f;
+    float farthest = 0.0f, nearest = kNoCaster;
+    for (const float d : map.distance) {
+        farthest = d < kNoCaster ? std::max(farthest, d) : farthest;
+        nearest = std::min(nearest, d);
+    }
+    const float range = farthest > nearest ? farthest - nearest : 1.0f;
     raster::Image picture = raster::make_image(map.size() * faces, map.size(), 1);
     for (int face = 0; face < faces; ++face) {
         for (int y = 0; y < map.size(); ++y) {
             for (int x = 0; x < map.size(); ++x) {
                 const float d = map.at(face, x, y);
-                picture.at(0, face * map.size() + x, y) = d < kNoCaster ? (d - map.nearest) / range : 1.0f;
+                picture.at(0, face * map.size() + x, y) = d < kNoCaster ? (d - nearest) / range : 1.0f;
             }
         }
     }

@@ -26,24 +26,32 @@ struct ShadowMapPlan {
 /// Texels that a filter reads beyond the one that a point falls into; pcss: as far as a margin is kept for it.
 [[nodiscard]] int filter_margin(const ShadowSettings& settings);
 
-/// What a light sees. A face holds (size + 2)^2 distances, row 0 on top: a ring of one texel lies around the picture,
-/// so that a filter may step over its edge. In the ring nothing casts; the faces of a cube repeat their own edge there.
+/// What a light sees. A face holds size x size distances, row 0 on top, and a ring around them as wide as a filter
+/// reaches over the edge, so that no tap has to ask where it is. In the ring nothing casts; the faces of a cube repeat
+/// their own edge there.
 struct ShadowMap {
     ShadowMapPlan plan;
     std::vector<float> distance;  ///< along the view's axis, world units; kNoCaster where nothing casts
-    float nearest = kNoCaster;    ///< the least of them
+    float nearest = kNoCaster;    ///< the least of them; pcss only
 
     [[nodiscard]] int size() const {
         return plan.settings.size;
     }
+    [[nodiscard]] int ring() const {
+        return plan.settings.filter == ShadowFilter::pcf ? plan.settings.radius + 1 : 1;
+    }
     [[nodiscard]] int stride() const {
-        return size() + 2;
+        return size() + 2 * ring();
     }
     [[nodiscard]] int face_stride() const {
         return stride() * stride();
     }
+    /// Where the texel in column 0 and row 0 stands in its face.
+    [[nodiscard]] int first_texel() const {
+        return ring() * (stride() + 1);
+    }
     [[nodiscard]] float at(int face, int column, int row) const {
-        return distance[static_cast<std::size_t>(face) * face_stride() + (row + 1) * stride() + column + 1];
+        return distance[static_cast<std::size_t>(face) * face_stride() + first_texel() + row * stride() + column];
     }
 };
 

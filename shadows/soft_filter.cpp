@@ -20,18 +20,13 @@ struct SoftSetup {
     PictureScale scale;
     float light_half_width = 0.0f;
     float nearest = 0.0f;
-    float size = 0.0f;
-    int stride = 0;
+    TexelGrid grid;
     bool perspective = false;
 };
 
 SoftSetup soft_setup(const ShadowMap& map) {
     const LightView& view = map.plan.views.front();
-    return {picture_scale(view, map.size()),
-            0.5f * map.plan.settings.light_size,
-            map.nearest,
-            static_cast<float>(map.size()),
-            map.stride(),
+    return {picture_scale(view, map.size()), 0.5f * map.plan.settings.light_size, map.nearest, texel_grid(map),
             view.perspective};
 }
 
@@ -86,7 +81,7 @@ KREDA_BATCH_LOOP void search_cell(const MapPoints& points, int lanes, const floa
         const float v = cell_begin(points.v.at(i), w.cell_v.at(i), row) + 0.5f * w.cell_v.at(i);
         const float d_u = u - points.u.at(i);
         const float d_v = v - points.v.at(i);
-        const float blocker = distances[points.face_begin[i] + place_of_texel(u, v, s.size, s.stride)];
+        const float blocker = distances[points.face_begin[i] + place_of_texel(u, v, s.grid)];
         const float here = points.distance.at(i) + points.slope_u.at(i) * d_u + points.slope_v.at(i) * d_v;
         const float half = half_cone(s.light_half_width, points.distance.at(i), blocker, s.perspective);
         const bool in_cone_u = std::abs(d_u) <= half * s.scale.texels_per_unit.x + 0.5f * w.cell_u.at(i);
@@ -147,7 +142,7 @@ KREDA_BATCH_LOOP void filter_cell(const MapPoints& points, int lanes, const floa
         const float v = begin_v + 0.5f * w.cell_v.at(i);
         const float here = points.distance.at(i) + points.slope_u.at(i) * (u - points.u.at(i)) +
                            points.slope_v.at(i) * (v - points.v.at(i));
-        const float caster = distances[points.face_begin[i] + place_of_texel(u, v, s.size, s.stride)];
+        const float caster = distances[points.face_begin[i] + place_of_texel(u, v, s.grid)];
         lit.set(i, lit.at(i) + (here <= caster ? weight : 0.0f));
         area.set(i, area.at(i) + weight);
     }
