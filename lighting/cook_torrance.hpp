@@ -72,13 +72,18 @@ inline MicrofacetSurface surface_from_maps(const glm::vec3& albedo, float metall
     return {albedo, f0, metallic, roughness, alpha_from_roughness(roughness)};
 }
 
+/// What goes in and is scattered, per channel   k_d = (1 - F)(1 - metallic)
+inline glm::vec3 diffuse_share(const glm::vec3& F, float metallic) {
+    const glm::vec3 transmitted{raster::saturate(1.0f - F.x), raster::saturate(1.0f - F.y),
+                                raster::saturate(1.0f - F.z)};
+    return transmitted * (1.0f - metallic);
+}
+
 /// What D, V and F together reflect of one light, times n.l.
 ///   diffuse  k_d c / pi (n.l),   k_d = (1 - F)(1 - metallic)      specular  D V F (n.l)
 inline ReflectedTerms combine_terms(float n_dot_l, float D, float V, const glm::vec3& F, const glm::vec3& albedo,
                                     float metallic) {
-    const glm::vec3 transmitted{raster::saturate(1.0f - F.x), raster::saturate(1.0f - F.y),
-                                raster::saturate(1.0f - F.z)};
-    const glm::vec3 k_d = transmitted * (1.0f - metallic);
+    const glm::vec3 k_d = diffuse_share(F, metallic);
     return {k_d * albedo * (raster::kInvPi * n_dot_l), F * (D * V * n_dot_l)};
 }
 

@@ -42,19 +42,13 @@ KREDA_BATCH_LOOP void fill_ao(int lanes, float ao, MicrofacetChannels& m) {
     for (int i = 0; i < lanes; ++i) m.ao.set(i, ao);
 }
 
-/// 1 - F of what is left to go in, and nothing of it in metals.
-inline glm::vec3 transmitted_share(const glm::vec3& F, float metallic) {
-    const glm::vec3 rest{raster::saturate(1.0f - F.x), raster::saturate(1.0f - F.y), raster::saturate(1.0f - F.z)};
-    return rest * (1.0f - metallic);
-}
-
 KREDA_BATCH_LOOP void split_sum(int lanes, LightingChannels& c) {
     const MicrofacetChannels& m = c.microfacet;
     EnvironmentChannels& e = c.environment;
     for (int i = 0; i < lanes; ++i) {
         const glm::vec3 F = m.F.at(i);
         const glm::vec3 brdf = e.brdf.at(i);
-        const glm::vec3 k_d = transmitted_share(F, m.metallic.at(i));
+        const glm::vec3 k_d = diffuse_share(F, m.metallic.at(i));
         const float ao = m.ao.at(i);
         e.F.set(i, F);
         e.diffuse.set(i, k_d * m.albedo.at(i) * e.irradiance.at(i) * (raster::kInvPi * ao));
@@ -173,7 +167,7 @@ KREDA_BATCH_LOOP void add_diffuse_sample(int lanes, float share, LightingChannel
     const MicrofacetChannels& m = c.microfacet;
     EnvironmentChannels& e = c.environment;
     for (int i = 0; i < lanes; ++i) {
-        const glm::vec3 k_d = transmitted_share(m.F.at(i), m.metallic.at(i));
+        const glm::vec3 k_d = diffuse_share(m.F.at(i), m.metallic.at(i));
         e.diffuse.set(i, e.diffuse.at(i) + k_d * m.albedo.at(i) * e.prefiltered.at(i) * (share * m.ao.at(i)));
     }
 }
