@@ -74,9 +74,7 @@ scene::Scene read_scene(const Options& options, const std::string& path) {
 }
 
 void render_and_save(const Options& options, const std::string& file, const scene::Scene& scene) {
-    const scene::ImageSettings& image = scene.image;
-    const raster::FilmSettings film{image.exposure, image.tone_map, image.white, image.transfer, image.gamma};
-    save(options, file, render(scene), film);
+    save(options, file, render(scene), film_settings(scene.image));
 }
 
 }  // namespace kreda::examples

@@ -42,6 +42,11 @@ struct ImageSettings {
     float gamma = 2.2f;
 };
 
+/// What of them develops a film into a picture.
+[[nodiscard]] inline raster::FilmSettings film_settings(const ImageSettings& image) {
+    return {image.exposure, image.tone_map, image.white, image.transfer, image.gamma};
+}
+
 struct ShadingSettings {
     ShadingFrequency frequency = ShadingFrequency::phong;
     Interpolation interpolation = Interpolation::perspective;

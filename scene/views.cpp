@@ -232,10 +232,9 @@ const View* find_view(std::string_view name) {
 }
 
 ViewPicture picture_of(const View& view, const raster::Image& values, const Scene& scene) {
-    const ImageSettings& image = scene.image;
     switch (view.scale) {
         case ViewScale::radiance:
-            return {develop(values, {image.exposure, image.tone_map, image.white, image.transfer, image.gamma}), {}};
+            return {develop(values, film_settings(scene.image)), {}};
         case ViewScale::color:
             return {develop(values, {}), {}};
         case ViewScale::share:

@@ -59,7 +59,7 @@ std::string transfer_formula(const FilmSettings& settings) {
 }  // namespace
 
 void explain_film(const scene::ImageSettings& image, const std::vector<glm::vec3>& samples, Explanation& explanation) {
-    const FilmSettings settings{image.exposure, image.tone_map, image.white, image.transfer, image.gamma};
+    const FilmSettings settings = film_settings(image);
     Section section{"film", "to the film and into the PNG", {}};
     explanation.radiance = mean_of(samples);
     const std::string formula = samples.size() == 1 ? "" : "mean of " + std::to_string(samples.size()) + " samples";

@@ -64,10 +64,6 @@ void check_output(const std::string& path) {
     if (fs::is_directory(path, ignored)) throw UserError(Place{path}, "is a folder; a picture needs a file name");
 }
 
-raster::FilmSettings film_settings(const scene::ImageSettings& image) {
-    return {image.exposure, image.tone_map, image.white, image.transfer, image.gamma};
-}
-
 void warn_of_film(const raster::FilmReport& report, bool linear) {
     const auto values = [](std::uint64_t count, const char* what) { return std::to_string(count) + what; };
     if (report.not_a_number > 0) warn(values(report.not_a_number, " values of the picture are not a number; written as 0"));
