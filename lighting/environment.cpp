@@ -24,10 +24,4 @@ const BrdfMap* find_brdf(const EnvironmentMaps& maps, const BrdfKind& kind) {
     return nullptr;
 }
 
-std::size_t bytes_of(const EnvironmentMaps& maps) {
-    std::size_t floats = maps.prefiltered.texels.size() + maps.irradiance.texels.size();
-    for (const BrdfMap& map : maps.brdf) floats += map.texels.size();
-    return floats * sizeof(float) + (maps.sh9 ? sizeof(Sh9) : 0);
-}
-
 }  // namespace kreda::lighting

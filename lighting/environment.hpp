@@ -49,7 +49,4 @@ struct EnvironmentMaps {
 /// The map of a kind, or nullptr.
 [[nodiscard]] const BrdfMap* find_brdf(const EnvironmentMaps& maps, const BrdfKind& kind);
 
-/// Bytes of the maps that are there.
-[[nodiscard]] std::size_t bytes_of(const EnvironmentMaps& maps);
-
 }  // namespace kreda::lighting
