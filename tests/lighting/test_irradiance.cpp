@@ -7,23 +7,16 @@
 #include <glm/geometric.hpp>
 
 #include "lighting/irradiance.hpp"
+#include "tests/lighting/even_light.hpp"
 
 using namespace kreda::lighting;
+using kreda::tests::even_light;
 using glm::vec3;
 using std::numbers::pi;
 
 namespace {
 
 const vec3 kNormals[] = {{0, 1, 0}, {0, -1, 0}, {0, 0, -1}, {0.6f, 0.0f, 0.8f}, {-0.3f, 0.5f, -0.7f}, {1, 1, 1}};
-
-CubeMap constant_map(int size, const vec3& L) {
-    CubeMap map = make_cube_map(mip_sizes(size));
-    for (int i = 0; i < kCubeFaces * size * size; ++i)
-        map.set_texel(0, i / (size * size), i % size, i / size % size, L);
-    fill_border(map, 0);
-    fill_mip_levels(map);
-    return map;
-}
 
 CubeMap one_texel(int size, int face, int x, int y, const vec3& L) {
     CubeMap map = make_cube_map(mip_sizes(size));
@@ -36,7 +29,7 @@ CubeMap one_texel(int size, int face, int x, int y, const vec3& L) {
 }  // namespace
 
 TEST_CASE("irradiance: the double sum of constant light is off by its closed form") {
-    const CubeMap map = constant_map(4, vec3(1.0f, 2.0f, 0.5f));
+    const CubeMap map = even_light(4, vec3(1.0f, 2.0f, 0.5f));
     for (const int N2 : {8, 16, 32, 64}) {
         const double x = pi / (2.0 * N2);
         for (const vec3& n : kNormals) {
@@ -52,7 +45,7 @@ TEST_CASE("irradiance: the double sum of constant light is off by its closed for
 }
 
 TEST_CASE("irradiance: the cosine-weighted sum of constant light is pi L with any number of samples") {
-    const CubeMap map = constant_map(4, vec3(1.0f, 2.0f, 0.5f));
+    const CubeMap map = even_light(4, vec3(1.0f, 2.0f, 0.5f));
     for (const int N : {1, 7, 64, 1000}) {
         CHECK(irradiance_of_cosine(map, kNormals[4], N).y == doctest::Approx(2.0 * pi).epsilon(3e-6));
     }
@@ -61,7 +54,7 @@ TEST_CASE("irradiance: the cosine-weighted sum of constant light is pi L with an
 TEST_CASE("irradiance: the sum over texels of constant light is pi L") {
     // max(n.l, 0) has a kink on the horizon that texels straddle: O(1 / N^2) of 64 x 64 texels a face.
     for (const vec3& n : kNormals) {
-        CHECK(irradiance_of_texels(constant_map(64, vec3(1.0f)), n).x == doctest::Approx(pi).epsilon(5e-4));
+        CHECK(irradiance_of_texels(even_light(64, vec3(1.0f)), n).x == doctest::Approx(pi).epsilon(5e-4));
     }
 }
 
@@ -79,7 +72,7 @@ TEST_CASE("irradiance: one bright texel gives its cosine lobe") {
 }
 
 TEST_CASE("irradiance map: every way of summing writes pi L of constant light") {
-    const CubeMap map = constant_map(64, vec3(2.0f));
+    const CubeMap map = even_light(64, vec3(2.0f));
     for (const IrradianceSum sum : {IrradianceSum::texels, IrradianceSum::cosine, IrradianceSum::hemisphere}) {
         IrradianceSettings settings;
         settings.sum = sum;
@@ -115,7 +108,7 @@ TEST_CASE("SH9: the projection of one bright texel is that texel as a light") {
 }
 
 TEST_CASE("SH9: constant light is pi L for every normal") {
-    const Sh9 sh = project_to_sh9(constant_map(64, vec3(2.0f)));
+    const Sh9 sh = project_to_sh9(even_light(64, vec3(2.0f)));
     for (const vec3& n : kNormals) {  // the midpoint rule of each texel: O(1 / N^2)
         CHECK(irradiance_of_sh9(sh, glm::normalize(n)).x == doctest::Approx(2.0 * pi).epsilon(1e-4));
     }

@@ -6,21 +6,14 @@
 #include <glm/geometric.hpp>
 
 #include "lighting/prefilter.hpp"
+#include "tests/lighting/even_light.hpp"
 
 using namespace kreda::lighting;
+using kreda::tests::even_light;
 using glm::vec3;
 using std::numbers::pi;
 
 namespace {
-
-CubeMap map_of(int size, const vec3& L) {
-    CubeMap map = make_cube_map(mip_sizes(size));
-    for (int i = 0; i < kCubeFaces * size * size; ++i)
-        map.set_texel(0, i / (size * size), i % size, i / size % size, L);
-    fill_border(map, 0);
-    fill_mip_levels(map);
-    return map;
-}
 
 /// (n.l) D(h) / 4 with v = n, in double; mu = n.l, so that n.h^2 = (1 + mu) / 2.        Walter et al. 2007 eq. (33)
 double lobe(double mu, double alpha) {
@@ -50,7 +43,7 @@ TEST_CASE("prefilter: alpha and level are inverse and alpha doubles") {
 TEST_CASE("prefilter: constant light stays constant at every level") {
     PrefilterSettings settings;
     settings.samples = 256;
-    const CubeMap map = prefilter(map_of(32, vec3(0.5f, 1.0f, 8.0f)), settings);
+    const CubeMap map = prefilter(even_light(32, vec3(0.5f, 1.0f, 8.0f)), settings);
     REQUIRE(map.last_level() == kPrefilterLevels - 1);
     for (int level = 0; level <= map.last_level(); ++level) {
         const vec3 seen = sample_level(map, level, {0.3f, -0.5f, 0.7f});
@@ -61,7 +54,7 @@ TEST_CASE("prefilter: constant light stays constant at every level") {
 }
 
 TEST_CASE("prefilter: level 0 is the environment itself") {
-    CubeMap radiance = map_of(32, vec3(0.1f));
+    CubeMap radiance = even_light(32, vec3(0.1f));
     radiance.set_texel(0, 4, 9, 11, vec3(50.0f));
     const CubeMap map = prefilter(radiance, {});
     CHECK(map.texel(0, 4, 9, 11) == vec3(50.0f));
@@ -70,7 +63,7 @@ TEST_CASE("prefilter: level 0 is the environment itself") {
 
 TEST_CASE("prefilter: one bright texel gives the GGX lobe") {
     constexpr int kSize = 64;
-    CubeMap map = map_of(kSize, vec3(0.0f));
+    CubeMap map = even_light(kSize, vec3(0.0f));
     map.set_texel(0, 4, 36, 30, vec3(1000.0f));
     fill_border(map, 0);
     fill_mip_levels(map);
