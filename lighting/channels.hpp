@@ -20,8 +20,8 @@ struct MicrofacetChannels {
 
 /// What the environment sends and what becomes of it; they hold something only where the scene has an environment.
 struct EnvironmentChannels {
-    raster::Channel3 direction;    ///< world space: r; of the reference the sample's l
-    raster::Channel3 map_direction;  ///< n, then that, as the maps know it
+    raster::Channel3 direction;    ///< world space: r; of the background the way a sample looks
+    raster::Channel3 map_direction;  ///< n, r or l as the maps know it
     raster::Channel3 irradiance;   ///< E on n
     raster::Channel3 prefiltered;  ///< P: radiance around r, as blurred as the surface is rough
     raster::Channel lod;           ///< level of the prefiltered map

@@ -137,9 +137,7 @@ KREDA_BATCH_LOOP void choose_mirrored(int lanes, const glm::vec2& u, LightingCha
         const glm::vec3 v = to_surface(frame, c.v.at(i));
         const glm::vec3 seen{v.x, v.y, v.z > 1e-4f ? v.z : 1e-4f};
         const glm::vec3 l = mirrored(seen, visible_half_vector(point, seen, c.microfacet.alpha.at(i)));
-        const glm::vec3 direction = unit(to_world(frame, l));
-        c.l.set(i, direction);
-        c.environment.direction.set(i, direction);
+        c.l.set(i, unit(to_world(frame, l)));
     }
 }
 
@@ -147,9 +145,7 @@ KREDA_BATCH_LOOP void choose_mirrored(int lanes, const glm::vec2& u, LightingCha
 KREDA_BATCH_LOOP void choose_by_cosine(int lanes, const glm::vec2& u, LightingChannels& c) {
     const glm::vec3 around = cosine_direction(u);
     for (int i = 0; i < lanes; ++i) {
-        const glm::vec3 direction = unit(to_world(frame_around(c.n.at(i)), around));
-        c.l.set(i, direction);
-        c.environment.direction.set(i, direction);
+        c.l.set(i, unit(to_world(frame_around(c.n.at(i)), around)));
     }
 }
 
@@ -204,11 +200,11 @@ void find_reference(int count, const CookTorranceSetup& surface, const Environme
         const glm::vec2 u = hammersley(k, setup.reference_samples);
         choose_mirrored(lanes, u, c);
         evaluate_microfacets(count, surface, LightKind::image, c);
-        look_at_environment(count, setup, c.environment);
+        look_at_environment(count, setup, c.l, c.environment);
         add_specular_sample(lanes, share, c);
         choose_by_cosine(lanes, u, c);
         evaluate_microfacets(count, surface, LightKind::image, c);
-        look_at_environment(count, setup, c.environment);
+        look_at_environment(count, setup, c.l, c.environment);
         add_diffuse_sample(lanes, share, c);
         if (surface.energy_compensation == EnergyCompensation::kulla_conty) add_bounced_sample(lanes, share, surface, c);
     }
@@ -219,16 +215,17 @@ void find_reference_irradiance(int count, const EnvironmentSetup& setup, Lightin
     start_irradiance(lanes, c.environment);
     for (int k = 0; k < setup.reference_samples; ++k) {
         choose_by_cosine(lanes, hammersley(k, setup.reference_samples), c);
-        look_at_environment(count, setup, c.environment);
+        look_at_environment(count, setup, c.l, c.environment);
         add_irradiance_sample(lanes, 1.0f / static_cast<float>(setup.reference_samples), c.environment);
     }
 }
 
 }  // namespace
 
-void look_at_environment(int count, const EnvironmentSetup& setup, EnvironmentChannels& channels) {
+void look_at_environment(int count, const EnvironmentSetup& setup, const raster::Channel3& direction,
+                         EnvironmentChannels& channels) {
     const int lanes = lanes_for(count);
-    turn_to_maps(lanes, setup, channels.direction, channels);
+    turn_to_maps(lanes, setup, direction, channels);
     sample_level(setup.maps->prefiltered, 0, lanes, channels.map_direction, channels.scratch, channels.prefiltered);
     scale_channel(lanes, setup.intensity, channels.prefiltered);
 }

@@ -33,7 +33,8 @@ inline glm::vec3 map_direction(const glm::vec3& d, float cos_rotation, float sin
 void add_environment(const raster::Fragments& fragments, const MaterialSetup& material, const EnvironmentSetup& setup,
                      LightingChannels& channels);
 
-/// Radiance from the directions in channels.environment.direction (world space, any length) into environment.prefiltered.
-void look_at_environment(int count, const EnvironmentSetup& setup, EnvironmentChannels& channels);
+/// Radiance from these directions (world space, any length) into channels.prefiltered.
+void look_at_environment(int count, const EnvironmentSetup& setup, const raster::Channel3& direction,
+                         EnvironmentChannels& channels);
 
 }  // namespace kreda::lighting

@@ -46,7 +46,7 @@ void look_past_tile(const ViewRays& rays, const lighting::EnvironmentSetup& setu
         for (int row = 0; row < rows; ++row) {
             aim(rays, area.x, area.y + y + row, kTileSide, row * kTileSide, channels.direction);
         }
-        look_at_environment(rows * kTileSide, setup, channels);
+        look_at_environment(rows * kTileSide, setup, channels.direction, channels);
         std::copy_n(channels.prefiltered.x, rows * kTileSide, planes[0] + y * kTileSide);
         std::copy_n(channels.prefiltered.y, rows * kTileSide, planes[1] + y * kTileSide);
         std::copy_n(channels.prefiltered.z, rows * kTileSide, planes[2] + y * kTileSide);
