@@ -171,7 +171,7 @@ ExplainedTerms explain_microfacets(const CookTorranceSetup& setup, const lightin
         lighting::combine_terms(m.n_dot_l.at(0), m.D.at(0), m.V.at(0), m.F.at(0), m.albedo.at(0), m.metallic.at(0));
     const glm::vec3 transmitted = glm::clamp(1.0f - m.F.at(0), 0.0f, 1.0f);
     section.equation("k_d", "(1 - F)(1 - metallic)", vector_text(transmitted) + " · " + text(1.0f - m.metallic.at(0)),
-                     transmitted * (1.0f - m.metallic.at(0)), "what enters the surface and comes out again");
+                     lighting::diffuse_share(m.F.at(0), m.metallic.at(0)), "what enters the surface and comes out again");
     section.equation("f_D", "k_d c / π · (n·l)", "", terms.diffuse);
     section.equation(
         "f_S", "D V F (n·l)",
