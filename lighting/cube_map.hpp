@@ -1,6 +1,6 @@
 // Cube maps: a colour for every direction, stored on the six faces of a cube, at several resolutions.
 //
-// Faces are numbered +x, -x, +y, -y, +z, -z and lie as in OpenGL (a face seen from inside: u to the right, v down).
+// Faces are numbered +x, -x, +y, -y, +z, -z and lie as in OpenGL (a face seen from outside: u to the right, v down).
 // Each face carries a border of one texel that repeats its neighbours' outermost texels. Bilinear filtering then never
 // leaves a face, and the two faces at an edge, or the three at a corner, compute the same number there: no seam.
 #pragma once
