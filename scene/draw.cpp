@@ -221,6 +221,23 @@ Image enlarge_with_grid(const Image& image, int factor) {
     return large;
 }
 
+Image fit(const Image& image, int width, int height, const glm::vec3& around) {
+    const double scale = std::min(double(width) / image.width, double(height) / image.height);
+    const int wide = std::clamp(static_cast<int>(image.width * scale), 1, width);
+    const int high = std::clamp(static_cast<int>(image.height * scale), 1, height);
+    const int left = (width - wide) / 2, top = (height - high) / 2;
+    Image whole = raster::make_image(width, height, image.channels);
+    for (int c = 0; c < image.channels; ++c) {
+        std::fill_n(whole.plane(c), whole.plane_size(), around[c]);
+        for (int y = 0; y < high; ++y) {
+            for (int x = 0; x < wide; ++x) {
+                whole.at(c, left + x, top + y) = image.at(c, x * image.width / wide, y * image.height / high);
+            }
+        }
+    }
+    return whole;
+}
+
 Image crop(const Image& image, int x, int y, int width, int height) {
     Image part = make_board(width, height);
     paste(part, image, -x, -y);

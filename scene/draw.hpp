@@ -66,6 +66,10 @@ void draw_caption(Image& image, std::string_view text, int scale, const glm::vec
 /// The same with the borders and the centres of the small pixels drawn in.
 [[nodiscard]] Image enlarge_with_grid(const Image& image, int factor);
 
+/// A picture of width x height that holds the whole image as large as it fits, each pixel the nearest of the image's;
+/// `around` fills the rest. Any number of channels up to three.
+[[nodiscard]] Image fit(const Image& image, int width, int height, const glm::vec3& around = kBoard);
+
 [[nodiscard]] Image crop(const Image& image, int x, int y, int width, int height);
 void paste(Image& onto, const Image& image, int x, int y);
 

@@ -154,7 +154,7 @@ void start_views(const RenderPlan& plan, TileScratch& scratch) {
     scratch.views.resize(plan.views.size());
     for (std::size_t v = 0; v < plan.views.size(); ++v) {
         TileColor& values = scratch.views[v];
-        fill_background(glm::vec3(background_of(*plan.views[v])), values);
+        fill_background(glm::vec3(plan.views[v]->background), values);
         if (!plan.views[v]->value) std::copy_n(scratch.visibility.depth, kTileSide * kTileSide, values.plane[0]);
     }
 }

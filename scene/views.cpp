@@ -118,7 +118,7 @@ std::vector<View> make_views() {
         {"radiance", "what leaves toward the viewer, fog included: the picture itself", kAnything, 3, radiance,
          kNothing, always, [](const Batch& b, int i, int c) { return b.lighting.radiance.at(i)[c]; }},
         {"depth", "window depth: 0 at the near plane, 1 at the far plane", kAnything, 1, range, kNothing, always,
-         nullptr},
+         nullptr, 1.0f},
         {"position", "world position", kAnything, 3, range, kPosition, always,
          [](const Batch& b, int i, int c) { return b.points.position.at(i)[c]; }},
         {"uv", "texture coordinates, their fractions: red u, green v", kAnything, 3, share, kUv, always,
@@ -246,11 +246,11 @@ ViewPicture picture_of(const View& view, const raster::Image& values, const Scen
     }
     ViewPicture picture;
     for (int c = 0; c < values.channels; ++c) {
-        picture.ranges.push_back(range_of(values.plane(c), values.plane_size(), background_of(view)));
+        picture.ranges.push_back(range_of(values.plane(c), values.plane_size(), view.background));
     }
     picture.encoded = map_values(values, [&](float x, int c) {
-        return x == background_of(view) ? background_of(view)
-                                        : in_range(x, picture.ranges[static_cast<std::size_t>(c)]);
+        return x == view.background ? raster::saturate(x)
+                                    : in_range(x, picture.ranges[static_cast<std::size_t>(c)]);
     });
     return picture;
 }

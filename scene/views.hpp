@@ -42,6 +42,7 @@ struct View {
     bool (*holds)(const RenderPlan& plan, std::uint32_t material) = nullptr;
     /// Its value at point i of the batch. nullptr: the depth buffer, which is no channel of a batch.
     float (*value)(const BatchChannels& batch, int i, int component) = nullptr;
+    float background = 0.0f;  ///< its value where nothing is seen
 };
 
 /// All views, in the order of the pipeline.
@@ -49,11 +50,6 @@ struct View {
 
 /// The view of that name, or nullptr.
 [[nodiscard]] const View* find_view(std::string_view name);
-
-/// Where nothing is seen a view shows 0, and the depth of the far plane.
-[[nodiscard]] inline float background_of(const View& view) {
-    return view.value ? 0.0f : 1.0f;
-}
 
 /// Least and greatest value of a channel over the whole picture; where nothing is seen does not count.
 struct ValueRange {

@@ -1,6 +1,7 @@
 #include "shadows/shadow_map.hpp"
 
 #include <algorithm>
+#include <limits>
 
 #include "raster/platform.hpp"
 #include "raster/rasterize_tile.hpp"
@@ -139,24 +140,18 @@ void draw_shadow_map(std::vector<raster::MeshInstance>& casters, const ShadowMap
     }
 }
 
-raster::Image shadow_map_picture(const ShadowMap& map) {
+raster::Image map_distances(const ShadowMap& map) {
     const int faces = static_cast<int>(map.plan.views.size());
-    float farthest = 0.0f, nearest = kNoCaster;
-    for (const float d : map.distance) {
-        farthest = d < kNoCaster ? std::max(farthest, d) : farthest;
-        nearest = std::min(nearest, d);
-    }
-    const float range = farthest > nearest ? farthest - nearest : 1.0f;
-    raster::Image picture = raster::make_image(map.size() * faces, map.size(), 1);
+    raster::Image distances = raster::make_image(map.size() * faces, map.size(), 1);
     for (int face = 0; face < faces; ++face) {
         for (int y = 0; y < map.size(); ++y) {
             for (int x = 0; x < map.size(); ++x) {
                 const float d = map.at(face, x, y);
-                picture.at(0, face * map.size() + x, y) = d < kNoCaster ? (d - nearest) / range : 1.0f;
+                distances.at(0, face * map.size() + x, y) = d < kNoCaster ? d : std::numeric_limits<float>::infinity();
             }
         }
     }
-    return picture;
+    return distances;
 }
 
 }  // namespace kreda::shadows

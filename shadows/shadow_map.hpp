@@ -65,9 +65,9 @@ struct ShadowMapBuffers {
 void draw_shadow_map(std::vector<raster::MeshInstance>& casters, const ShadowMapPlan& plan, ShadowMapBuffers& buffers,
                      ShadowMap& map);
 
-/// The map as a picture of one channel: 0 nearest .. 1 farthest, 1 where nothing casts. The six faces of a point light
-/// lie in a row, +x -x +y -y +z -z.
-[[nodiscard]] raster::Image shadow_map_picture(const ShadowMap& map);
+/// The map's distances as an image of one channel, infinite where nothing casts. The six faces of a point light lie in
+/// a row, +x -x +y -y +z -z.
+[[nodiscard]] raster::Image map_distances(const ShadowMap& map);
 
 /// shadow = share of the light that reaches each point: 1 lit .. 0 in shadow. Shape: see shadow.hpp.
 /// `normal`: perpendicular to the surface, outward, any length; the bias needs it.

@@ -10,11 +10,13 @@
 #include <CLI/CLI.hpp>
 
 #include "raster/film.hpp"
+#include "scene/draw.hpp"
 #include "scene/image_file.hpp"
-#include "scene/render.hpp"
+#include "scene/light_depth.hpp"
 #include "tools/commands.hpp"
 #include "tools/scene_options.hpp"
 #include "tools/slide.hpp"
+#include "tools/stage.hpp"
 #include "tools/time_report.hpp"
 
 namespace kreda::tools {
@@ -29,6 +31,7 @@ struct RenderOptions {
     SceneOptions scene;
     std::string output;  ///< empty: the scene's name and .png, in the current folder
     std::string view;    ///< a view's name; empty: the picture itself
+    int light = -1;      ///< draw with this light alone; -1: with all that are on
     std::string size;    ///< "640x360"; empty: what the scene says
     int samples = 0;     ///< 0: what the scene says
     int threads = 0;     ///< 0: as many as there are cores
@@ -71,12 +74,25 @@ void warn_of_film(const raster::FilmReport& report, bool linear) {
     if (report.negative > 0 && !linear) warn(values(report.negative, " values of the picture are negative; written as 0"));
 }
 
+/// Those of the picture's size, and what a light sees.
+std::vector<const scene::View*> known_views() {
+    std::vector<const scene::View*> views;
+    for (const scene::View& view : scene::all_views()) views.push_back(&view);
+    views.push_back(&scene::light_depth_view());
+    return views;
+}
+
+bool is_light_depth(const scene::View* view) {
+    return view == &scene::light_depth_view();
+}
+
 const scene::View* chosen_view(const std::string& name) {
     if (name.empty()) return nullptr;
-    const scene::View* view = scene::find_view(name);
-    if (view) return view;
     std::vector<std::string> names;
-    for (const scene::View& known : scene::all_views()) names.emplace_back(known.name);
+    for (const scene::View* view : known_views()) {
+        if (view->name == name) return view;
+        names.emplace_back(view->name);
+    }
     const std::string near = scene::nearest_word(name, names);
     throw UserError("--view " + name + ": there is no such view" + (near.empty() ? "" : "; did you mean " + near + "?") +
                     " (kreda render --help lists them)");
@@ -120,11 +136,19 @@ SlideText slide_text(const RenderOptions& options, const scene::View* view) {
     return text;
 }
 
+raster::Image values_of(const scene::View& view, const scene::RenderBuffers& buffers) {
+    return is_light_depth(&view) ? light_depth(buffers) : buffers.views[0];
+}
+
 void write_slide(const std::string& path, const RenderOptions& options, const scene::View* view,
                  const scene::RenderBuffers& buffers, const scene::Scene& scene) {
     raster::FilmReport report;
-    const raster::Image picture = view ? picture_of(*view, buffers.views[0], scene).encoded
-                                       : develop(buffers.film, film_settings(scene.image), &report);
+    raster::Image picture = view ? picture_of(*view, values_of(*view, buffers), scene).encoded
+                                 : develop(buffers.film, film_settings(scene.image), &report);
+    if (is_light_depth(view)) {
+        const glm::ivec2 size = slide_picture_size(picture.width, picture.height);
+        picture = scene::fit(picture, size.x, size.y);
+    }
     scene::write_png(path, make_slide(picture, slide_text(options, view), slide_ground(options.slides)));
     warn_of_film(report, false);
     std::cerr << "wrote " << path << " (a slide of " << kSlideWidth << " x " << kSlideHeight << ")\n";
@@ -137,7 +161,21 @@ scene::Scene load(const RenderOptions& options) {
     if (options.samples > 0) overrides.push_back("image.samples=" + std::to_string(options.samples));
     scene::Scene scene = load_scene(scene_options);
     if (!options.slides.empty()) fit_to_slide(scene.image);
-    return scene;
+    if (options.light < 0) return scene;
+    const std::size_t count = scene.lights.size();
+    if (static_cast<std::size_t>(options.light) < count) return with_only_light(scene, static_cast<std::size_t>(options.light));
+    throw UserError("--light " + std::to_string(options.light) + ": the scene has " + std::to_string(count) +
+                    (count == 1 ? " light" : " lights") + ", numbered from 0");
+}
+
+void check_view(const scene::RenderPlan& plan, const scene::Scene& scene, const scene::View& view) {
+    if (can_show(plan, scene, view)) return;
+    std::string why = "--view " + std::string(view.name) + ": this scene has nothing to show; it needs " +
+                      std::string(view.requires_what);
+    for (const scene::LeftOutPass& pass : plan.left_out) {
+        if (is_light_depth(&view) && pass.name == "shadows") why += "; here " + pass.why_not;
+    }
+    throw UserError(why);
 }
 
 void check_slides(const RenderOptions& options, const std::string& path) {
@@ -155,18 +193,15 @@ void render_command(const RenderOptions& options) {
     check_slides(options, path);
     const scene::View* view = chosen_view(options.view);
     const scene::Scene scene = load(options);
-    const scene::RenderPlan plan = view ? make_plan(scene, {view}) : make_plan(scene);
-    if (view && !can_show(plan, scene, *view)) {
-        throw UserError("--view " + options.view + ": this scene has nothing to show; it needs " +
-                        std::string(view->requires_what));
-    }
+    const scene::RenderPlan plan = view && !is_light_depth(view) ? make_plan(scene, {view}) : make_plan(scene);
+    if (view) check_view(plan, scene, *view);
     scene::RenderBuffers buffers;
     TimeReport report;
     for (int i = 0; i < options.repeat; ++i) report.frames.push_back(render(scene, plan, buffers, options.threads));
     const std::uint64_t dropped = report.frames.back().triangles.non_finite;
     if (dropped > 0) warn(std::to_string(dropped) + " triangles were dropped: a corner is not a finite number");
     if (!options.slides.empty()) write_slide(path, options, view, buffers, scene);
-    else if (view) write_view(path, *view, buffers.views[0], scene);
+    else if (view) write_view(path, *view, values_of(*view, buffers), scene);
     else write_picture(path, buffers.film, scene.image);
     if (!options.time) return;
     report.width = scene.image.width;
@@ -178,10 +213,10 @@ void render_command(const RenderOptions& options) {
 
 std::string view_list() {
     std::string list = "Views:\n";
-    for (const scene::View& view : scene::all_views()) {
-        std::string line = "  " + std::string(view.name);
+    for (const scene::View* view : known_views()) {
+        std::string line = "  " + std::string(view->name);
         line.resize(std::max<std::size_t>(line.size() + 2, 21), ' ');
-        list += line + std::string(view.meaning) + "\n";
+        list += line + std::string(view->meaning) + "\n";
     }
     return list;
 }
@@ -189,6 +224,8 @@ std::string view_list() {
 constexpr const char* kExamples = R"(
 A view is a quantity of the pipeline as a picture: an EXR holds its numbers, a PNG shows light as the scene's own picture,
 directions as (x + 1) / 2, shares of 0..1 as 255 x, other numbers between the least (black) and the greatest (white).
+light_depth is as large as the map (shadow.size; six in a row for a point light: +x -x +y -y +z -z), and an EXR of it holds
+3.4e38 where nothing casts. Of several lights, --light chooses.
 
 The scene file is described by `kreda keys`; a value given here wins over the file's.
 --time prints one line of JSON, milliseconds from the loaded scene to the linear film, without loading, tone mapping and
@@ -201,6 +238,7 @@ Examples:
   kreda render scene.toml -o picture.exr --size 1920x1080        linear float, before tone mapping
   kreda render scene.toml --set camera.position=[0,1,4] --samples 4
   kreda render scene.toml --view normal -o normal.png
+  kreda render scene.toml --light 0 --view light_depth           what light.0 sees: its shadow map
   kreda render scene.toml -o slide.png --slides dark             1920 x 1080 with title and caption
   kreda render --repeat 15 --time --threads 2                    how long a frame takes)";
 
@@ -233,6 +271,9 @@ void add_render_command(CLI::App& app) {
         ->check(CLI::Range(1, 100000));
     command->add_option("--view", options->view, "Draw this quantity instead of the picture; the list is below")
         ->type_name("NAME");
+    command->add_option("--light", options->light, "Draw with light.I alone, as if all others were off")
+        ->type_name("I")
+        ->check(CLI::Range(0, 1000000));
     command->footer("\n" + view_list() + kExamples);
     command->callback([options] { render_command(*options); });
 }

@@ -3,6 +3,7 @@
 // those of geometry are the frame's own triangles and fragments.
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 #include <functional>
 #include <string>
@@ -31,6 +32,9 @@ void for_each_stage(const scene::Scene& scene, const StageVisitor& visit);
 // The two halves.
 void visit_geometry_stages(const scene::Frame& frame, const StageVisitor& visit);
 void visit_light_stages(const scene::Frame& frame, const StageVisitor& visit);
+
+/// The scene with this light on and all others off; an index beyond the last light turns all off.
+[[nodiscard]] scene::Scene with_only_light(const scene::Scene& scene, std::size_t light);
 
 /// A rectangle of pixels of the picture.
 struct PixelRectangle {

@@ -3,12 +3,14 @@
 #include <cmath>
 #include <cstdio>
 #include <iterator>
+#include <limits>
 #include <string>
 #include <string_view>
+#include <utility>
 
 #include "raster/film.hpp"
 #include "scene/draw.hpp"
-#include "scene/render.hpp"
+#include "scene/light_depth.hpp"
 #include "tools/stage.hpp"
 
 namespace kreda::tools {
@@ -31,12 +33,6 @@ std::vector<const View*> shown_views(const Scene& scene) {
         if (can_show(plan, scene, view)) views.push_back(&view);
     }
     return views;
-}
-
-Scene with_only_light(const Scene& scene, std::size_t light) {
-    Scene one = scene;
-    for (std::size_t i = 0; i < one.lights.size(); ++i) one.lights[i].on = one.lights[i].on && i == light;
-    return one;
 }
 
 std::vector<std::size_t> lights_on(const Scene& scene) {
@@ -96,6 +92,16 @@ std::string without_all_lights(std::string meaning, const std::string& light) {
     return meaning;
 }
 
+/// What the light sees has a size of its own: it is shown as large as it fits into the picture.
+Stage light_depth_stage(const scene::RenderBuffers& buffers, const Scene& scene) {
+    const int width = scene.image.width, height = scene.image.height;
+    const Image distances = light_depth(buffers);
+    Stage stage = stage_of(scene::light_depth_view(), distances, scene);
+    stage.picture = scene::fit(stage.picture, width, height, develop(scene::make_board(1, 1), {}).rgb(0, 0));
+    stage.values = scene::fit(distances, width, height, glm::vec3(std::numeric_limits<float>::quiet_NaN()));
+    return stage;
+}
+
 /// What one light does: the scene with all others off.
 void visit_one_light(const Scene& scene, std::size_t light, const std::vector<const View*>& of_one_light,
                      const StageVisitor& visit) {
@@ -110,14 +116,18 @@ void visit_one_light(const Scene& scene, std::size_t light, const std::vector<co
     std::erase_if(views, [&](const View* view) { return !can_show(plan, alone, *view); });
     scene::RenderBuffers buffers;
     render(alone, make_plan(alone, views), buffers);
-    const std::string number = std::to_string(light);
-    for (std::size_t i = 0; i < views.size(); ++i) {
-        Stage stage = stage_of(*views[i], buffers.views[i], scene);
+    const auto visit_stage = [&](Stage stage) {
+        const std::string number = std::to_string(light);
         stage.name = "light_" + number + "_" + stage.name;
         stage.title = "light." + number + ": " + stage.title;
         stage.meaning = without_all_lights(stage.meaning, "this light");
-        if (lit_early) stage.meaning = "the picture with this light alone";
         visit(stage);
+    };
+    if (can_show(plan, alone, scene::light_depth_view())) visit_stage(light_depth_stage(buffers, scene));
+    for (std::size_t i = 0; i < views.size(); ++i) {
+        Stage stage = stage_of(*views[i], buffers.views[i], scene);
+        if (lit_early) stage.meaning = "the picture with this light alone";
+        visit_stage(std::move(stage));
     }
 }
 
@@ -166,6 +176,12 @@ Stage final_stage(const Frame& frame) {
 }
 
 }  // namespace
+
+Scene with_only_light(const Scene& scene, std::size_t light) {
+    Scene one = scene;
+    for (std::size_t i = 0; i < one.lights.size(); ++i) one.lights[i].on = i == light;
+    return one;
+}
 
 void visit_light_stages(const Frame& frame, const StageVisitor& visit) {
     const std::vector<const View*> views = frame.plan.views;

@@ -75,7 +75,7 @@ function load(stage) {
   script.onerror = () => { numbers.set(stage, "none"); tell(); };
   document.head.append(script);
 }
-function spell(x) { return Number.isInteger(x) ? String(x) : String(Number(x.toPrecision(5))); }
+function spell(x) { return Number.isNaN(x) ? "-" : Number.isInteger(x) ? String(x) : String(Number(x.toPrecision(5))); }
 
 // ---- what is said below the picture
 function tell() {

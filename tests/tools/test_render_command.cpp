@@ -186,6 +186,56 @@ TEST_CASE("a view that is not there or not in the scene is an error that says wh
     CHECK(names_in(folder.path.string()) == std::vector<std::string>{"sphere.toml"});
 }
 
+/// A square over a floor under three lights, two of which cast shadows.
+void write_two_shadows(const TempFolder& folder) {
+    folder.write("lights.toml",
+                 "[image]\nsize = [24, 16]\n[camera]\nposition = [0, 6, 5]\n[shadow]\nsize = 32\n"
+                 "[[light]]\ntype = \"point\"\nposition = [0, 3, 0]\nshadow = true\n"
+                 "[[light]]\ndirection = [0.2, -1, 0]\nshadow = true\n[[light]]\ndirection = [-0.2, -1, 0.1]\n"
+                 "[[object]]\nmesh = \"plane\"\nscale = 4\n"
+                 "[[object]]\nmesh = \"plane\"\nscale = 0.5\ntranslate = [0, 1, 0]\n");
+}
+
+TEST_CASE("a light's depth is a picture of the size of its map and its EXR holds distances") {
+    const TempFolder folder;
+    write_two_shadows(folder);
+    render(folder, {"lights.toml", "--view", "light_depth", "-o", "sun.png"});
+    CHECK(scene::read_image(folder.file("sun.png")).width == 32);  // the last that casts shadows
+    render(folder, {"lights.toml", "--view", "light_depth", "--light", "0", "-o", "lamp.exr"});
+    const raster::Image lamp = scene::read_image(folder.file("lamp.exr"));
+    CHECK(lamp.width == 6 * 32);
+    CHECK(lamp.height == 32);
+    CHECK(raster::count_non_finite(lamp) == 0);
+    CHECK(*std::min_element(lamp.values.begin(), lamp.values.end()) == doctest::Approx(2.0).epsilon(1e-5));
+    render(folder, {"lights.toml", "--view", "light_depth", "--slides", "dark", "-o", "slide.png"});
+    CHECK(scene::read_image(folder.file("slide.png")).width == 1920);
+}
+
+TEST_CASE("a light's depth that is not there is an error that says why") {
+    const TempFolder folder;
+    write_two_shadows(folder);
+    const auto refused = [&](std::vector<std::string> more) {
+        more.insert(more.begin(), {"render", "lights.toml", "--view", "light_depth"});
+        const Outcome outcome = run_kreda(more, folder.path.string());
+        CHECK(outcome.exit_code == 2);
+        CHECK(line_count(outcome.err) == 1);
+        return outcome.err;
+    };
+    CHECK(refused({"--light", "2"}).find("no light that is on has shadow = true") != std::string::npos);
+    CHECK(refused({"--set", "shadow.method=\"exact\""}).find("shadow.method = \"map\"") != std::string::npos);
+    CHECK(refused({"--light", "3"}).find("--light 3: the scene has 3 lights, numbered from 0") != std::string::npos);
+    CHECK(refused({"--set", "object.1.casts_shadow=false"}).find("nothing can cast") != std::string::npos);
+    CHECK(names_in(folder.path.string()) == std::vector<std::string>{"lights.toml"});
+}
+
+TEST_CASE("one light alone is the scene with the others off") {
+    const TempFolder folder;
+    write_two_shadows(folder);
+    render(folder, {"lights.toml", "--light", "1", "-o", "a.exr"});
+    render(folder, {"lights.toml", "--set", "light.0.on=false", "--set", "light.2.on=false", "-o", "b.exr"});
+    CHECK(bytes_of(folder.file("a.exr")) == bytes_of(folder.file("b.exr")));
+}
+
 TEST_CASE("plan prints what a scene requires and nothing else") {
     const TempFolder folder;
     write_sphere(folder, "[fog]\nmode = \"exp\"\n");

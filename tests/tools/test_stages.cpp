@@ -98,6 +98,26 @@ TEST_CASE("stages: only what the plan holds is shown") {
     CHECK(has("gouraud", "light_0_radiance"));
     CHECK_FALSE(has("gouraud", "normal"));
     CHECK_FALSE(has("empty", "wireframe"));
+    CHECK(has("shadows", "light_0_light_depth"));
+    CHECK(has("shadows, flat", "light_0_light_depth"));
+    CHECK_FALSE(has("phong", "light_0_light_depth"));
+}
+
+TEST_CASE("stages: what a light sees keeps its shape and its distances") {
+    const scene::Scene scene = scene_named("shadows");
+    const Stage stage = stages_of(scene).at("light_0_light_depth");
+    const scene::RenderPlan plan = make_plan(tools::with_only_light(scene, 0));
+    REQUIRE(plan.shadows.size() == 1);
+    const auto faces = static_cast<int>(plan.shadows[0].map.views.size());
+    int shown = 0, casts = 0;
+    for (const float d : stage.values.values) {
+        shown += !std::isnan(d);
+        casts += std::isfinite(d);
+        if (std::isfinite(d)) CHECK((d > 0.0f && d < plan.shadows[0].map.views[0].far));
+    }
+    const int side = std::min(scene.image.height, scene.image.width / faces);
+    CHECK(shown == side * side * faces);
+    CHECK(casts > 0);
 }
 
 TEST_CASE("stages: the lights' terms add up to those of all lights") {
