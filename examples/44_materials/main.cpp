@@ -5,10 +5,9 @@
 
 #include "examples/example.hpp"
 #include "examples/lit_scene.hpp"
+#include "examples/view_panels.hpp"
 #include "lighting/maps.hpp"
-#include "raster/film.hpp"
 #include "scene/render.hpp"
-#include "scene/views.hpp"
 
 using namespace kreda;
 using namespace kreda::examples;
@@ -16,12 +15,6 @@ using lighting::Map;
 using lighting::MaterialMaps;
 
 namespace {
-
-/// The picture as a display shows it, in linear RGB again: the scene has its own tone map.
-Image shown(const scene::Scene& scene, const Image& radiance) {
-    const scene::ImageSettings& image = scene.image;
-    return develop(radiance, {image.exposure, image.tone_map, image.white, raster::Transfer::linear});
-}
 
 /// The scene with the first `count` of the maps; the constants hold for the others.
 Image draw_with(scene::Scene scene, std::initializer_list<Map MaterialMaps::*> kept, const char* caption, int height) {
@@ -31,25 +24,6 @@ Image draw_with(scene::Scene scene, std::initializer_list<Map MaterialMaps::*> k
     for (Map MaterialMaps::*map : kept) maps.*map = all.*map;
     Image picture = shown(scene, scene::render(scene));
     draw_caption(picture, caption, text_scale(height));
-    return picture;
-}
-
-/// A channel of the render, as `kreda render --view` writes it.
-Image draw_view(const scene::Scene& scene, const char* name, int height) {
-    const scene::View& view = *scene::find_view(name);
-    scene::RenderBuffers buffers;
-    render(scene, make_plan(scene, {&view}), buffers);
-    const Image encoded = picture_of(view, buffers.views[0], scene).encoded;
-    Image picture = make_board(encoded.width, encoded.height);
-    for (int y = 0; y < encoded.height; ++y) {
-        for (int x = 0; x < encoded.width; ++x) {
-            const glm::vec3 byte = encoded.rgb(x, y);
-            picture.set_rgb(
-                x, y,
-                {raster::linear_from_srgb(byte.x), raster::linear_from_srgb(byte.y), raster::linear_from_srgb(byte.z)});
-        }
-    }
-    draw_caption(picture, name, text_scale(height));
     return picture;
 }
 
@@ -67,12 +41,17 @@ void draw(const Options& options) {
                   draw_with(scene, {&M::albedo, &M::metallic}, "+ metallic", height),
                   draw_with(scene, {&M::albedo, &M::metallic, &M::roughness}, "+ roughness", height),
                   draw_with(scene, {&M::albedo, &M::metallic, &M::roughness, &M::normal}, "+ normal", height),
-                  draw_view(scene, "normal", height)}));
+                  view_panels(scene, {{"normal", "normal"}}, height)[0]}));
     save(options, "maps",
          montage(options.width, height, 3,
-                 {draw_view(scene, "albedo", height), draw_view(scene, "metallic", height),
-                  draw_view(scene, "roughness", height), draw_view(scene, "ao", height),
-                  draw_view(scene, "normal_map", height), draw_view(scene, "uv", height)}));
+                 view_panels(scene,
+                             {{"albedo", "albedo"},
+                              {"metallic", "metallic"},
+                              {"roughness", "roughness"},
+                              {"ao", "ao"},
+                              {"normal_map", "normal_map"},
+                              {"uv", "uv"}},
+                             height)));
 }
 
 }  // namespace
