@@ -4,6 +4,8 @@
 #include <cmath>
 #include <cstdio>
 
+#include <glm/geometric.hpp>
+
 namespace kreda::examples {
 
 namespace {
@@ -113,6 +115,26 @@ void plot(Chart& chart, const glm::vec3& color, const std::function<double(doubl
         }
         x = next_x;
         y = next_y;
+    }
+}
+
+void plot_points(Chart& chart, const glm::vec3& color, const std::vector<glm::dvec2>& points, bool dashed) {
+    const float unit = static_cast<float>(chart.scale);
+    const auto inside = [&](glm::vec2 p) { return p.y >= chart.upper_right.y && p.y <= chart.lower_left.y; };
+    for (std::size_t i = 0; i < points.size(); ++i) {
+        const glm::vec2 here = chart.place(points[i].x, points[i].y);
+        if (inside(here)) draw_disc(chart.image, here, 2.0f * unit, color);
+        if (i == 0) continue;
+        const glm::vec2 before = chart.place(points[i - 1].x, points[i - 1].y);
+        const int pieces = dashed ? std::max(1, static_cast<int>(glm::distance(before, here) / (4.0f * unit))) : 1;
+        for (int k = 0; k < pieces; k += 2) {
+            const float from = static_cast<float>(k) / static_cast<float>(pieces);
+            const float to = static_cast<float>(k + 1) / static_cast<float>(pieces);
+            glm::vec2 a = before + (here - before) * from, b = before + (here - before) * to;
+            if (clip_to_rows(a, b, chart.upper_right.y, chart.lower_left.y)) {
+                draw_line(chart.image, a, b, 1.4f * unit, color);
+            }
+        }
     }
 }
 

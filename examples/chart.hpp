@@ -3,6 +3,7 @@
 
 #include <functional>
 #include <string>
+#include <vector>
 
 #include "examples/draw.hpp"
 
@@ -31,6 +32,10 @@ struct Chart {
 
 /// The curve y = f(x) over the whole axis; what leaves the frame is cut off. `dashed` draws every other piece.
 void plot(Chart& chart, const glm::vec3& color, const std::function<double(double)>& f, bool dashed = false);
+
+/// Straight lines from point to point and a dot at each; what leaves the frame is cut off. `dashed` draws every other
+/// piece.
+void plot_points(Chart& chart, const glm::vec3& color, const std::vector<glm::dvec2>& points, bool dashed = false);
 
 /// A dot with its name to the right of it (or to the left, where there is no room).
 void plot_point(Chart& chart, double x, double y, const std::string& name, const glm::vec3& color);

@@ -1,0 +1,136 @@
+// 51_irradiance: all the light that falls on a plane: every texel, two sums over samples, and nine numbers.
+// Page docs/51_irradiance.md | After 50_environment | New: irradiance_of_hemisphere(), irradiance_of_cosine(), Sh9
+// Break at: irradiance_of_sh9 | Look at: n, p, sh.c, sum | Try: kSky Sky::sunset, kN2 16, kRounds 9
+#include <algorithm>
+#include <cstdio>
+
+#include "examples/chart.hpp"
+#include "examples/example.hpp"
+#include "examples/irradiance_error.hpp"
+#include "examples/sphere_views.hpp"
+#include "examples/stopwatch.hpp"
+#include "lighting/environment_image.hpp"
+#include "raster/film.hpp"
+
+using namespace kreda;
+using namespace kreda::examples;
+using lighting::CubeMap;
+using lighting::IrradianceSum;
+
+namespace {
+
+constexpr lighting::Sky kSky = lighting::Sky::studio;  // of the pictures and of the times
+constexpr int kN2 = 4, kN1 = 4 * kN2;                  // of the picture's double sum
+constexpr int kSize = 16;                              // of the irradiance maps: 1536 normals
+constexpr int kRounds = 3;                             // every way is timed once a round
+
+/// E / pi of a few normals, green.
+void print_four_ways(const CubeMap& radiance) {
+    const lighting::Sh9 sh = project_to_sh9(radiance);
+    std::printf("E / pi       every texel    16 x 4   64 cosines      SH9\n");
+    for (const glm::vec3& n : {glm::vec3(0, 1, 0), glm::vec3(0, -1, 0), glm::vec3(0, 0, -1)}) {
+        const glm::dvec4 E(irradiance_of_texels(radiance, n).y, irradiance_of_hemisphere(radiance, n, kN1, kN2).y,
+                           irradiance_of_cosine(radiance, n, kN1 * kN2).y, irradiance_of_sh9(sh, n).y);
+        const glm::dvec4 shown = E / static_cast<double>(raster::kPi);
+        std::printf("(%2.0f %2.0f %2.0f) %12.4f %12.4f %10.4f %10.4f\n", double{n.x}, double{n.y}, double{n.z}, shown.x,
+                    shown.y, shown.z, shown.w);
+    }
+}
+
+// ------------------------------------------------------------------------------------------------ pictures
+
+/// L or E / pi as a display shows it, in linear RGB.
+Image shown(int width, const CubeMap& map, float scale) {
+    const Image radiance = equirect_picture(width, [&](const glm::vec3& d) { return scale * sample_level(map, 0, d); });
+    return develop(radiance, {0.7f, raster::ToneMap::none, 4.0f, raster::Transfer::linear});
+}
+
+/// Too dark blue, too bright orange: full where a fifth of the mean E is missing or too much.
+Image error_picture(int width, const CubeMap& map, const CubeMap& exact) {
+    const float gain = static_cast<float>(5.0 / mean_of(exact));
+    return equirect_picture(width, [&](const glm::vec3& n) {
+        return signed_color(gain * (sample_level(map, 0, n).y - sample_level(exact, 0, n).y));
+    });
+}
+
+void draw_maps(const Options& options, const CubeMap& radiance) {
+    const int width = panel_size(options.width, options.height, 3, 2).x;
+    const CubeMap exact = every_texel(kSize).make(radiance), sh = nine_coefficients(kSize).make(radiance);
+    const CubeMap sum = irradiance_map(radiance, {IrradianceSum::hemisphere, kN1, kN2, kSize});
+    const auto panel = [&](Image image, const char* caption) {
+        draw_caption(image, caption, text_scale(options.height));
+        return image;
+    };
+    constexpr float kInvPi = 1.0f / raster::kPi;
+    save(options, "irradiance",
+         montage(options.width, options.height, 3,
+                 {panel(shown(width, exact, kInvPi), "every texel"), panel(shown(width, sum, kInvPi), "16 x 4"),
+                  panel(shown(width, sh, kInvPi), "nine numbers"), panel(shown(width, radiance, 1.0f), "L"),
+                  panel(error_picture(width, sum, exact), "error"), panel(error_picture(width, sh, exact), "error")}));
+}
+
+// --------------------------------------------------------------------------------------- error and time
+
+/// Error over samples; the numbers are printed, too.
+Image error_chart(const Options& options, const char* name, lighting::Sky sky) {
+    const CubeMap radiance = lighting::cube_from_sky(sky, 64), exact = every_texel(kSize).make(radiance);
+    const MapError sh = map_error(nine_coefficients(kSize).make(radiance), exact);
+    std::printf("%-8s %6.2f %6.2f", name, 100.0 * sh.mean, 100.0 * sh.largest);
+    Chart chart = make_chart(panel_size(options.width, options.height, 2, 1), options.height, name,
+                             {10.0, 10000.0, 0.0, true}, {0.01, 100.0, 0.0, true});
+    plot(
+        chart, kGreen, [&](double) { return 100.0 * sh.mean; }, true);
+    for (const IrradianceSum sum : {IrradianceSum::hemisphere, IrradianceSum::cosine}) {
+        std::vector<glm::dvec2> errors;
+        for (const IrradianceWay& way : sampling_ways(sum, kSize)) {
+            errors.push_back({way.samples, 100.0 * map_error(way.make(radiance), exact).mean});
+            std::printf("%s%6.2f", way.samples == 16 ? "    " : " ", errors.back().y);
+        }
+        plot_points(chart, sum == IrradianceSum::cosine ? kBlue : kOrange, errors);
+    }
+    std::printf("\n");
+    legend(chart, "double sum", kOrange, {0.03f, 0.72f});
+    legend(chart, "cosine", kBlue, {0.03f, 0.72f});
+    legend(chart, "SH9", kGreen, {0.03f, 0.72f});
+    return chart.image;
+}
+
+/// Error over the time for a map of 1536 normals. A picture of this machine.
+void draw_times(const Options& options, const CubeMap& radiance) {
+    std::vector<IrradianceWay> ways = sampling_ways(IrradianceSum::hemisphere, kSize);
+    for (const IrradianceWay& way : sampling_ways(IrradianceSum::cosine, kSize)) ways.push_back(way);
+    ways.push_back(nine_coefficients(kSize));
+    ways.push_back(every_texel(kSize));
+    std::vector<std::function<void()>> works;
+    for (const IrradianceWay& way : ways) works.push_back([&] { (void)way.make(radiance); });
+    const std::vector<double> times = shortest_times(works, kRounds);
+    const CubeMap exact = ways.back().make(radiance);
+    Chart chart = make_chart({options.width, options.height}, options.height, "studio: error in percent over ms",
+                             {0.1, 1000.0, 0.0, true}, {0.01, 100.0, 0.0, true});
+    std::printf("\nstudio, 1536 normals: ms, error in percent\n");
+    for (std::size_t i = 0; i < ways.size(); ++i) {
+        const double error = 100.0 * map_error(ways[i].make(radiance), exact).mean;
+        std::printf("%-6s %-12s %8.3f %8.3f\n", i < 5 ? "double" : (i < 10 ? "cosine" : ""), ways[i].name.c_str(),
+                    times[i], error);
+        plot_point(chart, times[i], std::max(error, 0.01), ways[i].name, i < 5 ? kOrange : (i < 10 ? kBlue : kGreen));
+    }
+    save(options, "measured_time", chart.image);
+}
+
+void draw(const Options& options) {
+    const CubeMap radiance = lighting::cube_from_sky(kSky, 64);
+    print_four_ways(radiance);
+    draw_maps(options, radiance);
+    std::printf("\nerror in percent of the mean irradiance, with 16, 64, 256, 1024, 4096 samples\n");
+    std::printf("%-8s %6s %6s    %-37s %s\n", "", "SH9", "most", "double sum", "cosine-weighted");
+    const Image gradient = error_chart(options, "gradient", lighting::Sky::gradient);
+    const Image sunset = error_chart(options, "sunset", lighting::Sky::sunset);
+    save(options, "error", montage(options.width, options.height, 2, {gradient, sunset}));
+    draw_times(options, radiance);
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+    return run(argc, argv, "51_irradiance", draw);
+}

@@ -1,0 +1,172 @@
+// 51_irradiance: the picture and the page against sums in double over the skies and over real environments.
+#include <algorithm>
+#include <cmath>
+#include <functional>
+#include <numbers>
+#include <vector>
+
+#include <doctest/doctest.h>
+#include <glm/geometric.hpp>
+
+#include "course.hpp"
+#include "lighting/environment_image.hpp"
+#include "lighting/irradiance.hpp"
+#include "scene/image_file.hpp"
+#include "tests/scene/temp_folder.hpp"
+
+using namespace kreda;
+using namespace kreda::tests;
+using glm::dvec3;
+using std::numbers::pi;
+
+namespace {
+
+/// A direction and the light that comes from it, L dw.
+struct Ray {
+    dvec3 l, light;
+};
+
+dvec3 direction_of_angles(double azimuth, double polar) {
+    return {std::sin(polar) * std::cos(azimuth), std::cos(polar), std::sin(polar) * std::sin(azimuth)};
+}
+
+/// width x width / 2 rays of an environment whose radiance is a function of the texel and of its direction.
+std::vector<Ray> rays_of(int width, const std::function<dvec3(int x, int y, const dvec3& d)>& radiance) {
+    const int height = width / 2;
+    std::vector<Ray> rays;
+    for (int y = 0; y < height; ++y) {
+        const double w = 2.0 * pi / width * (std::cos(pi * y / height) - std::cos(pi * (y + 1) / height));
+        for (int x = 0; x < width; ++x) {
+            const dvec3 d = direction_of_angles(2.0 * pi * ((x + 0.5) / width - 0.5), pi * (y + 0.5) / height);
+            rays.push_back({d, w * radiance(x, y, d)});
+        }
+    }
+    return rays;
+}
+
+std::vector<Ray> rays_of_sky(lighting::Sky sky, int width) {
+    return rays_of(width, [&](int, int, const dvec3& d) { return dvec3(lighting::sky_radiance(sky, glm::vec3(d))); });
+}
+
+/// E(n), summed over all rays.
+dvec3 irradiance(const std::vector<Ray>& rays, const dvec3& n) {
+    dvec3 E(0.0);
+    for (const Ray& ray : rays) E += std::max(0.0, glm::dot(n, ray.l)) * ray.light;
+    return E;
+}
+
+/// A spiral of equal areas.
+std::vector<dvec3> even_directions(int count) {
+    std::vector<dvec3> directions;
+    for (int i = 0; i < count; ++i) {
+        const double y = 1.0 - (2.0 * i + 1.0) / count;
+        directions.push_back(direction_of_angles(pi * (3.0 - std::sqrt(5.0)) * i, std::acos(y)));
+    }
+    return directions;
+}
+
+/// Error of the polynomial over 100 normals and three colours, relative to all the light from everywhere: what
+/// Ramamoorthi & Hanrahan call the total intensity.
+struct Sh9Error {
+    double mean = 0.0, largest = 0.0;
+};
+
+Sh9Error sh9_error(const lighting::CubeMap& radiance, const std::vector<Ray>& rays) {
+    const lighting::Sh9 sh = lighting::project_to_sh9(radiance);
+    dvec3 total(0.0);
+    for (const Ray& ray : rays) total += ray.light;
+    Sh9Error error;
+    const std::vector<dvec3> normals = even_directions(100);
+    for (const dvec3& n : normals) {
+        const dvec3 difference =
+            glm::abs(dvec3(lighting::irradiance_of_sh9(sh, glm::vec3(n))) - irradiance(rays, n)) / total;
+        error.mean += (difference.x + difference.y + difference.z) / (3.0 * static_cast<double>(normals.size()));
+        error.largest = std::max({error.largest, difference.x, difference.y, difference.z});
+    }
+    return error;
+}
+
+/// What one light gives, the worst of all environments: |1/4 + c/2 + 5/32 (3 c^2 - 1) - max(c, 0)| over all directions.
+/// Every environment is a sum of such lights, and so is its error; cutting at 0 only makes it smaller.
+Sh9Error error_of_one_light() {
+    constexpr int kSteps = 100'000;
+    Sh9Error error;
+    for (int i = 0; i < kSteps; ++i) {
+        const double c = 2.0 * (i + 0.5) / kSteps - 1.0;
+        const double difference = std::abs(0.25 + 0.5 * c + 5.0 / 32.0 * (3.0 * c * c - 1.0) - std::max(c, 0.0));
+        error.mean += difference / kSteps;
+        error.largest = std::max(error.largest, difference);
+    }
+    return error;
+}
+
+doctest::Approx number(const std::string& key) {
+    return doctest::Approx(documented_number("51_irradiance", key));
+}
+
+}  // namespace
+
+TEST_CASE("51_irradiance: the picture shows the light that a sum in double over the sky finds") {
+    const raster::Image panel = linear_panel("51_irradiance/irradiance.png", 3, 2, 0);
+    const std::vector<Ray> rays = rays_of_sky(lighting::Sky::studio, 256);
+    const int width = 104, height = 52, top = (panel.height - height) / 2;
+    for (int y = 3; y < 36; y += 8) {  // above the caption
+        for (int x = 5; x < width; x += 20) {
+            const dvec3 n = direction_of_angles(2.0 * pi * ((x + 0.5) / width - 0.5), pi * (y + 0.5) / height);
+            const dvec3 want = glm::min(0.7 / pi * irradiance(rays, n), 1.0);
+            const dvec3 shown = panel.rgb(x, top + y);
+            for (int c = 0; c < 3; ++c) CHECK(std::abs(shown[c] - want[c]) < 0.015);  // a map of 16 x 16 texels a face
+        }
+    }
+}
+
+TEST_CASE("51_irradiance: the numbers of the page for the studio are those of a sum in double") {
+    const std::vector<Ray> rays = rays_of_sky(lighting::Sky::studio, 1024);
+    CHECK(irradiance(rays, {0, 1, 0}).y / pi ==
+          number("texels_up").epsilon(2e-3));  // a cube of 64 texels smears the lamps
+    CHECK(irradiance(rays, {0, -1, 0}).y / pi == number("texels_down").epsilon(2e-3));
+    dvec3 total(0.0);
+    for (const Ray& ray : rays) total += ray.light;
+    CHECK(total.y / 4.0 == number("quarter").epsilon(2e-3));
+    const double x = pi / 8.0;
+    CHECK(x / std::sin(x) == number("four_angles").epsilon(1e-4));
+    CHECK(0.25 + 0.5 + 5.0 / 16.0 == number("one_light"));
+}
+
+TEST_CASE("51_irradiance: nine numbers err on every sky less than on one light") {
+    const Sh9Error bound = error_of_one_light();
+    CHECK(100.0 * bound.mean == number("bound_mean").epsilon(2e-3));
+    CHECK(100.0 * bound.largest == number("bound_most").epsilon(2e-3));
+    for (const auto& [sky, name] :
+         {std::pair(lighting::Sky::gradient, "gradient"), std::pair(lighting::Sky::studio, "studio"),
+          std::pair(lighting::Sky::sunset, "sunset")}) {
+        CAPTURE(std::string(name));
+        const Sh9Error error = sh9_error(lighting::cube_from_sky(sky, 64), rays_of_sky(sky, 512));
+        CHECK(error.mean < bound.mean);
+        CHECK(error.largest < bound.largest);
+        CHECK(100.0 * error.mean == number(std::string(name) + "_mean").epsilon(0.05));  // 100 normals of all
+    }
+}
+
+TEST_CASE("51_irradiance: nine numbers on real environments") {
+    const std::string data = shared_data_folder();
+    if (data.empty()) {
+        MESSAGE("SKIPPED: no folder of shared data (set KREDA_SHARED)");
+        return;
+    }
+    const Sh9Error bound = error_of_one_light();
+    const std::pair<const char*, const char*> files[] = {
+        {"dawn.hdr", "dawn"}, {"studio.exr", "studio_file"}, {"city.exr", "city"}};
+    for (const auto& [name, key] : files) {
+        raster::Image image = scene::read_image(data + "/" + std::string(name));
+        lighting::repair_environment(image);
+        const auto rays = rays_of(image.width, [&](int x, int y, const dvec3&) { return dvec3(image.rgb(x, y)); });
+        const lighting::CubeMap radiance = lighting::cube_from_equirect(image, 256);
+        const Sh9Error error = sh9_error(radiance, rays);
+        MESSAGE(std::string(name), ": mean ", 100.0 * error.mean, " %, at most ", 100.0 * error.largest,
+                " % of all the light");
+        CHECK(error.mean < bound.mean);
+        CHECK(error.largest < bound.largest);
+        CHECK(std::abs(100.0 * error.mean - documented_number("51_irradiance", key)) < 0.01);
+    }
+}
