@@ -7,12 +7,14 @@
 
 #include "lighting/energy.hpp"
 #include "lighting/material.hpp"
+#include "lighting/progress.hpp"
 #include "lighting/texel_taps.hpp"
 #include "raster/scalar_math.hpp"
 
 namespace kreda::lighting {
 
 inline constexpr int kBrdfMapSize = 64;
+inline constexpr int kBrdfMapSamples = 1024;
 
 /// A and B at the nodes n.v = (i / 63)^2, roughness = j / 63. The square puts nodes where A and B bend, near grazing: the
 /// worst error of bilinear interpolation is seven times smaller than with evenly spaced n.v.
@@ -25,7 +27,8 @@ struct BrdfMap {
 };
 
 /// By importance sampling: `samples` facets that v sees (Hammersley points), the same for every node.
-[[nodiscard]] BrdfMap compute_brdf_map(Distribution distribution, Geometry geometry, int samples = 1024);
+[[nodiscard]] BrdfMap compute_brdf_map(Distribution distribution, Geometry geometry, int samples = kBrdfMapSamples,
+                                       const Progress& progress = {});
 
 /// A and B, and the energy of the roughness averaged over n.v.
 struct BrdfTerms {

@@ -54,6 +54,11 @@ inline CubePoint cube_point(const glm::vec3& d) {
             raster::saturate(0.5f + t * half_by_length)};
 }
 
+/// A direction of the world as the maps of an environment know it that is turned about +y: turned back.
+inline glm::vec3 map_direction(const glm::vec3& d, float cos_rotation, float sin_rotation) {
+    return {d.x * cos_rotation - d.z * sin_rotation, d.y, d.x * sin_rotation + d.z * cos_rotation};
+}
+
 /// The solid angle of texel (x, y) of a face of `size` texels a side [sr], exact. Over all six faces they sum to 4 pi.
 ///   w = A(x0, y0) - A(x0, y1) - A(x1, y0) + A(x1, y1),   A(x, y) = atan(x y / sqrt(x^2 + y^2 + 1))
 [[nodiscard]] double texel_solid_angle(int size, int x, int y);

@@ -72,8 +72,10 @@ struct ProjectionScratch {
 };
 
 KREDA_BATCH_LOOP void find_directions(int lanes, const RowOfTexels& row, float within_x, float within_y,
-                                      ProjectionScratch& scratch) {
+                                      const Placement& placement, ProjectionScratch& scratch) {
     const RowOfTexels r = row;
+    const float cos_rotation = placement.cos_rotation;
+    const float sin_rotation = placement.sin_rotation;
     const float scale = 1.0f / static_cast<float>(r.size);
     const float v = (static_cast<float>(r.y) + within_y) * scale;
     const float first = static_cast<float>(r.x) + within_x;
@@ -82,7 +84,7 @@ KREDA_BATCH_LOOP void find_directions(int lanes, const RowOfTexels& row, float w
         const glm::vec3 d = direction_of({r.face, u, v});
         const float length2 = glm::dot(d, d);
         const float inverse = 1.0f / std::sqrt(length2);
-        scratch.direction.set(i, d * inverse);
+        scratch.direction.set(i, map_direction(d * inverse, cos_rotation, sin_rotation));
         scratch.weight.set(i, inverse / length2);
     }
 }
@@ -140,8 +142,9 @@ void find_sky(int lanes, Sky sky, const Channel3& d, Channel3& color) {
 
 /// Fill level 0: every texel the weighted mean of n x n colours that `look_up(lanes, scratch)` finds.
 template <class LookUp>
-void project(CubeMap& map, int n, LookUp look_up) {
+void project(CubeMap& map, int n, const Placement& placement, const Progress& progress, LookUp look_up) {
     const int size = map.levels[0].size;
+    WorkCounter counter(kCubeFaces * size, progress);
 #pragma omp parallel
     {
         const auto scratch = std::make_unique<ProjectionScratch>();
@@ -155,14 +158,16 @@ void project(CubeMap& map, int n, LookUp look_up) {
                 for (int k = 0; k < n * n; ++k) {
                     const float within_x = (static_cast<float>(k % n) + 0.5f) / static_cast<float>(n);
                     const float within_y = (static_cast<float>(k / n) + 0.5f) / static_cast<float>(n);
-                    find_directions(lanes, texels, within_x, within_y, *scratch);
+                    find_directions(lanes, texels, within_x, within_y, placement, *scratch);
                     look_up(lanes, *scratch);
                     add_colors(lanes, *scratch);
                 }
                 for (int i = 0; i < count; ++i) {
-                    map.set_texel(0, texels.face, x + i, texels.y, scratch->sum.at(i) / scratch->total.at(i));
+                    const glm::vec3 mean = scratch->sum.at(i) / scratch->total.at(i);
+                    map.set_texel(0, texels.face, x + i, texels.y, placement.intensity * mean);
                 }
             }
+            counter.add(1.0);
         }
     }
 }
@@ -211,12 +216,16 @@ glm::vec3 sample_equirect(const EquirectMap& map, const glm::vec3& direction) {
     return weighted_sum(map.texels.data(), equirect_tap(direction, map.width, map.height));
 }
 
-CubeMap cube_from_equirect(const Image& image, int size) {
+int directions_for(int image_width, int image_height, int size) {
+    const int longer = std::max(image_width, 2 * image_height);
+    return std::clamp((longer + size - 1) / size, 2, 64);  // a texel of the cube holds about longer / (4 size) of the image's
+}
+
+CubeMap cube_from_equirect(const Image& image, int size, const Placement& placement, const Progress& progress) {
     const EquirectMap source = make_equirect_map(image);
-    const int longer = std::max(image.width, 2 * image.height);
-    const int n = std::clamp((longer + size - 1) / size, 2, 64);  // a texel of the cube holds about longer / (4 size) of the image's
+    const int n = directions_for(image.width, image.height, size);
     CubeMap map = make_cube_map(mip_sizes(size));
-    project(map, n, [&](int lanes, ProjectionScratch& scratch) {
+    project(map, n, placement, progress, [&](int lanes, ProjectionScratch& scratch) {
         find_equirect_taps(lanes, source.width, source.height, scratch.direction, scratch.taps.taps[0]);
         read_taps(source.texels.data(), lanes, 1, scratch.taps);
         split_texels(lanes, scratch.taps, scratch.color);
@@ -225,10 +234,9 @@ CubeMap cube_from_equirect(const Image& image, int size) {
     return map;
 }
 
-CubeMap cube_from_sky(Sky sky, int size) {
-    constexpr int kSamples = 4;
+CubeMap cube_from_sky(Sky sky, int size, const Placement& placement, const Progress& progress) {
     CubeMap map = make_cube_map(mip_sizes(size));
-    project(map, kSamples, [&](int lanes, ProjectionScratch& scratch) {
+    project(map, kSkyDirections, placement, progress, [&](int lanes, ProjectionScratch& scratch) {
         find_sky(lanes, sky, scratch.direction, scratch.color);
     });
     fill_mip_levels(map);

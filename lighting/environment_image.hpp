@@ -9,6 +9,7 @@
 #include <glm/vec3.hpp>
 
 #include "lighting/cube_map.hpp"
+#include "lighting/progress.hpp"
 #include "lighting/sky.hpp"
 #include "raster/image.hpp"
 #include "raster/trigonometry.hpp"
@@ -64,10 +65,22 @@ struct EquirectMap {
 /// The image in a direction, bilinear.
 [[nodiscard]] glm::vec3 sample_equirect(const EquirectMap& map, const glm::vec3& direction);
 
-/// A cube map with all its mip levels. Each texel of level 0 is the mean of n x n directions, weighted with their solid angles, n
-/// chosen so that no texel of the image is passed over. `size` is a power of two.
-[[nodiscard]] CubeMap cube_from_equirect(const raster::Image& image, int size);
-[[nodiscard]] CubeMap cube_from_sky(Sky sky, int size);
+/// How an environment stands in the scene: turned about +y, and its light multiplied.
+struct Placement {
+    float cos_rotation = 1.0f;
+    float sin_rotation = 0.0f;
+    float intensity = 1.0f;
+};
+
+/// A cube map with all its mip levels. Each texel of level 0 is the mean of n x n directions, weighted with their solid angles.
+/// `size` is a power of two.
+[[nodiscard]] CubeMap cube_from_equirect(const raster::Image& image, int size, const Placement& placement = {},
+                                         const Progress& progress = {});
+[[nodiscard]] CubeMap cube_from_sky(Sky sky, int size, const Placement& placement = {}, const Progress& progress = {});
+
+/// The n of an image: no texel of it is passed over. And of a sky.
+[[nodiscard]] int directions_for(int image_width, int image_height, int size);
+inline constexpr int kSkyDirections = 4;
 
 /// Texels a side of a cube map that is as fine as an image of this width (a quarter of it, rounded up to a power of two), at
 /// least 128 and at most `largest`.

@@ -20,11 +20,6 @@ struct EnvironmentSetup {
     int reference_samples = 0;              ///< 0: the split sum; else samples a point of the integral itself
 };
 
-/// A direction of the world as the maps know it: turned back about +y.
-inline glm::vec3 map_direction(const glm::vec3& d, float cos_rotation, float sin_rotation) {
-    return {d.x * cos_rotation - d.z * sin_rotation, d.y, d.x * sin_rotation + d.z * cos_rotation};
-}
-
 /// What the environment adds to channels.ambient, after start_lighting and before the lights.
 ///   cook_torrance   ao (k_d c E / pi + P (F0 A + B)),   k_d = (1 - F(n.v))(1 - metallic)           Karis 2013; Gelemanovic 2018, 3
 ///   Lambert and the other empirical models   m_D E / pi: diffuse light only, their highlights are made for lamps

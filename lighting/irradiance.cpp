@@ -166,12 +166,13 @@ glm::vec3 irradiance_of_cosine(const CubeMap& radiance, const glm::vec3& n, int 
     return for_one_normal(n, [&](int lanes, GatherScratch& s) { sum_cosine(radiance, lanes, N, s); });
 }
 
-CubeMap irradiance_map(const CubeMap& radiance, const IrradianceSettings& settings) {
+CubeMap irradiance_map(const CubeMap& radiance, const IrradianceSettings& settings, const Progress& progress) {
     const int size = settings.size;
     CubeMap map = make_cube_map({size});
-    const auto faces = settings.sum == IrradianceSum::texels ? lights_of(radiance, 64) : lights_of(radiance, 1);
+    const auto faces = settings.sum == IrradianceSum::texels ? lights_of(radiance, kIrradianceSourceSize) : lights_of(radiance, 1);
     const int texel_count = kCubeFaces * size * size;
     constexpr int kBatch = 128;  // small, so that there is work for every thread
+    WorkCounter counter(texel_count, progress);
 #pragma omp parallel
     {
         const auto scratch = std::make_unique<GatherScratch>();
@@ -197,6 +198,7 @@ CubeMap irradiance_map(const CubeMap& radiance, const IrradianceSettings& settin
                 const glm::ivec3 p = place(first + i);
                 map.set_texel(0, p.x, p.y, p.z, scratch->sum.at(i));
             }
+            counter.add(count);
         }
     }
     fill_border(map, 0);
@@ -205,7 +207,7 @@ CubeMap irradiance_map(const CubeMap& radiance, const IrradianceSettings& settin
 
 Sh9 project_to_sh9(const CubeMap& radiance) {
     std::array<glm::dvec3, 9> sums{};
-    const int level = level_of_size(radiance, 256);
+    const int level = level_of_size(radiance, kShSourceSize);
     for (int face = 0; face < kCubeFaces; ++face) {
         for (const TexelLight& light : lights_of_face(radiance, level, face)) {
             const std::array<float, 9> p = sh_polynomials(light.l);

@@ -10,14 +10,20 @@
 #include <glm/vec3.hpp>
 
 #include "lighting/cube_map.hpp"
+#include "lighting/progress.hpp"
 
 namespace kreda::lighting {
 
 enum class IrradianceSum { texels, cosine, hemisphere };
 
+/// Texels a side of the level whose texels are summed for E, and for the coefficients: finer ones change nothing that is seen.
+inline constexpr int kIrradianceSourceSize = 64;
+inline constexpr int kShSourceSize = 256;
+
 /// The sum over all texels of the level that is `source_size` texels a side, or the nearest there is
 ///   E = sum of L w max(n.l, 0),   w the exact solid angle
-[[nodiscard]] glm::vec3 irradiance_of_texels(const CubeMap& radiance, const glm::vec3& n, int source_size = 64);
+[[nodiscard]] glm::vec3 irradiance_of_texels(const CubeMap& radiance, const glm::vec3& n,
+                                             int source_size = kIrradianceSourceSize);
 
 /// Gelemanovic 2018 eq. (13)   E = (2 pi / N1) (pi / (2 N2)) sum_i sum_j L(phi_i, theta_j) cos theta_j sin theta_j
 /// N1 azimuths, N2 angles to the normal. theta_j = (j + offset) pi / (2 N2): offset 1/2 takes the middle of each step. A
@@ -36,7 +42,8 @@ struct IrradianceSettings {
     int size = 32;
 };
 
-[[nodiscard]] CubeMap irradiance_map(const CubeMap& radiance, const IrradianceSettings& settings);
+[[nodiscard]] CubeMap irradiance_map(const CubeMap& radiance, const IrradianceSettings& settings,
+                                     const Progress& progress = {});
 
 // --------------------------------------------------------------------------------------- spherical harmonics
 

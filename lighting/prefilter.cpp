@@ -104,23 +104,27 @@ void filter_chunk(const CubeMap& radiance, const std::vector<LobeSample>& sample
     }
 }
 
-int samples_of_level(const PrefilterSettings& settings, int level) {
-    return std::max(32, static_cast<int>(static_cast<float>(settings.samples) * alpha_of_level(level)));
-}
-
 CubeMap mirror_and_room(const CubeMap& radiance, const PrefilterSettings& settings) {
     const int size = radiance.levels[0].size;
-    std::vector<int> sizes{size};
-    for (int level = 1; settings.blurred && level < kPrefilterLevels; ++level) {
-        sizes.push_back(std::min({size, settings.largest_blurred, 8 << (kPrefilterLevels - 1 - level)}));
-    }
-    CubeMap map = make_cube_map(sizes);
+    CubeMap map = make_cube_map(prefilter_sizes(size, settings));
     const std::size_t mirror = std::size_t(4) * kCubeFaces * std::size_t(size + 2) * std::size_t(size + 2);
     std::copy_n(radiance.texels.begin(), mirror, map.texels.begin());
     return map;
 }
 
 }  // namespace
+
+std::vector<int> prefilter_sizes(int size, const PrefilterSettings& settings) {
+    std::vector<int> sizes{size};
+    for (int level = 1; settings.blurred && level < kPrefilterLevels; ++level) {
+        sizes.push_back(std::min({size, settings.largest_blurred, 8 << (kPrefilterLevels - 1 - level)}));
+    }
+    return sizes;
+}
+
+int samples_of_level(const PrefilterSettings& settings, int level) {
+    return std::max(32, static_cast<int>(static_cast<float>(settings.samples) * alpha_of_level(level)));
+}
 
 CubeMap prefilter(const CubeMap& radiance, const PrefilterSettings& settings, const Progress& progress) {
     CubeMap map = mirror_and_room(radiance, settings);
@@ -129,11 +133,12 @@ CubeMap prefilter(const CubeMap& radiance, const PrefilterSettings& settings, co
         samples.push_back(lobe_samples(alpha_of_level(level), samples_of_level(settings, level), radiance.levels[0].size));
     }
     const std::vector<Chunk> chunks = chunks_of(map);
-    double all_work = 0.0, done = 0.0;
+    double all_work = 0.0;
     const auto work_of = [&](const Chunk& chunk) {
         return static_cast<double>(chunk.count) * static_cast<double>(samples[static_cast<std::size_t>(chunk.level)].size());
     };
     for (const Chunk& chunk : chunks) all_work += work_of(chunk);
+    WorkCounter counter(all_work, progress);
 #pragma omp parallel
     {
         const auto scratch = std::make_unique<PrefilterScratch>();
@@ -141,11 +146,7 @@ CubeMap prefilter(const CubeMap& radiance, const PrefilterSettings& settings, co
         for (int i = 0; i < static_cast<int>(chunks.size()); ++i) {
             const Chunk& chunk = chunks[static_cast<std::size_t>(i)];
             filter_chunk(radiance, samples[static_cast<std::size_t>(chunk.level)], chunk, map, *scratch);
-#pragma omp critical(kreda_prefilter_progress)
-            {
-                done += work_of(chunk);
-                if (progress) progress(done / all_work);
-            }
+            counter.add(work_of(chunk));
         }
     }
     for (int level = 1; level <= map.last_level(); ++level) fill_border(map, level);

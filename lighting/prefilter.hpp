@@ -3,11 +3,11 @@
 //   prefiltered(r) = sum of L(l_k) (n.l_k) / sum of (n.l_k),   l_k = n mirrored in facets h_k chosen by  D (n.h)
 #pragma once
 
-#include <functional>
 #include <vector>
 
 #include "lighting/cube_map.hpp"
 #include "lighting/microfacet.hpp"
+#include "lighting/progress.hpp"
 
 namespace kreda::lighting {
 
@@ -33,8 +33,9 @@ struct PrefilterSettings {
     bool blurred = true;   ///< false: the mirror alone (nothing but a background needs it)
 };
 
-/// Called now and then with the share of the work that is done, 0..1, by one thread at a time.
-using Progress = std::function<void(double share)>;
+/// Texels a side of each level, for an environment of `size` texels a side; and the samples that a level takes.
+[[nodiscard]] std::vector<int> prefilter_sizes(int size, const PrefilterSettings& settings);
+[[nodiscard]] int samples_of_level(const PrefilterSettings& settings, int level);
 
 /// Level 0 copies level 0 of `radiance`; a level of alpha is 8 / alpha texels a side, or less where those two are smaller.
 /// Samples are read from the mip level of `radiance` whose texels are as large as the sample's share of the lobe,

@@ -1,6 +1,7 @@
 #include "scene/environment.hpp"
 
-#include "lighting/environment_image.hpp"
+#include <numeric>
+
 #include "raster/trigonometry.hpp"
 
 namespace kreda::scene {
@@ -13,19 +14,41 @@ constexpr int kLargestSize = 1024;
 
 }  // namespace
 
-lighting::CubeMap environment_cube(const EnvironmentSettings& settings) {
-    if (!settings.image) return lighting::cube_from_sky(settings.sky, kSkySize);
-    return lighting::cube_from_equirect(*settings.image, lighting::cube_size_for(settings.image->width, kLargestSize));
+int environment_size(const EnvironmentSettings& settings) {
+    return settings.image ? lighting::cube_size_for(settings.image->width, kLargestSize) : kSkySize;
+}
+
+lighting::BakeCost environment_cost(const EnvironmentSettings& settings) {
+    const int size = environment_size(settings);
+    if (!settings.image) return lighting::cube_cost(size, lighting::kSkyDirections);
+    return lighting::cube_cost(size, lighting::directions_for(settings.image->width, settings.image->height, size));
+}
+
+lighting::CubeMap environment_cube(const EnvironmentSettings& settings, const lighting::Placement& placement,
+                                   const lighting::Progress& progress) {
+    const int size = environment_size(settings);
+    if (!settings.image) return lighting::cube_from_sky(settings.sky, size, placement, progress);
+    return lighting::cube_from_equirect(*settings.image, size, placement, progress);
+}
+
+lighting::Placement placement_of(const EnvironmentSettings& settings) {
+    const raster::SinCos rotation = raster::sin_cos_of_turns(settings.rotation_deg / 360.0f);
+    return {rotation.cos, rotation.sin, settings.intensity};
 }
 
 PreparedEnvironment prepare_environment(const EnvironmentSettings& settings, const lighting::EnvironmentNeeds& needs,
                                         const lighting::Progress& progress) {
+    const std::vector<double> bake = lighting::bake_work(environment_size(settings), needs, settings.samples);
+    const double bake_work = std::accumulate(bake.begin(), bake.end(), 0.0);
+    const std::vector<lighting::Progress> steps =
+        lighting::progress_of_steps(progress, {needs.any() ? environment_cost(settings).operations() : 0.0, bake_work});
     PreparedEnvironment prepared;
     prepared.image = settings.image;
     prepared.sky = settings.sky;
     prepared.samples = settings.samples;
     prepared.needs = needs;
-    prepared.maps = lighting::bake_environment(environment_cube(settings), needs, settings.samples, progress);
+    const lighting::CubeMap radiance = needs.any() ? environment_cube(settings, {}, steps[0]) : lighting::CubeMap{};
+    prepared.maps = lighting::bake_environment(radiance, needs, settings.samples, steps[1]);
     return prepared;
 }
 
@@ -36,8 +59,8 @@ bool serves(const PreparedEnvironment& prepared, const EnvironmentSettings& sett
 }
 
 lighting::EnvironmentSetup environment_setup(const EnvironmentSettings& settings, const PreparedEnvironment& prepared) {
-    const raster::SinCos rotation = raster::sin_cos_of_turns(settings.rotation_deg / 360.0f);
-    return {&prepared.maps, rotation.cos, rotation.sin, settings.intensity, settings.reference};
+    const lighting::Placement placement = placement_of(settings);
+    return {&prepared.maps, placement.cos_rotation, placement.sin_rotation, placement.intensity, settings.reference};
 }
 
 }  // namespace kreda::scene

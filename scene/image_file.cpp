@@ -5,15 +5,14 @@
 #include <cctype>
 #include <cmath>
 #include <filesystem>
-#include <fstream>
 #include <memory>
-#include <random>
-#include <system_error>
 
 #include <OpenImageIO/filesystem.h>
+#include <OpenImageIO/hash.h>
 #include <OpenImageIO/imageio.h>
 
 #include "scene/error.hpp"
+#include "scene/whole_file.hpp"
 
 namespace kreda::scene {
 
@@ -39,14 +38,6 @@ void check_output_path(const std::string& path, const std::string& extension) {
     if (fs::is_directory(path)) throw UserError(Place{path}, "is a folder; a picture needs a file name");
 }
 
-/// A name in the folder of `path` that nobody else uses: the rename that ends the writing must not cross file systems.
-fs::path temporary_name(const fs::path& path) {
-    std::random_device random;
-    std::string name = ".";
-    name.append(path.filename().string()).append(".").append(std::to_string(random())).append(".tmp");
-    return path.parent_path() / name;
-}
-
 /// The bytes of the file. They are made in memory because the library's PNG writer does not notice a full disk.
 std::vector<unsigned char> encode(const std::string& path, const std::string& format, const OIIO::ImageSpec& spec,
                                   OIIO::TypeDesc type, const void* interleaved) {
@@ -57,25 +48,6 @@ std::vector<unsigned char> encode(const std::string& path, const std::string& fo
                             output->write_image(type, interleaved) && output->close();
     if (!is_encoded) throw UserError(Place{path}, "cannot be written: " + output->geterror());
     return memory.buffer();
-}
-
-bool write_bytes(const fs::path& path, const std::vector<unsigned char>& bytes) {
-    std::ofstream stream(path, std::ios::binary);
-    stream.write(reinterpret_cast<const char*>(bytes.data()), static_cast<std::streamsize>(bytes.size()));
-    stream.close();
-    return stream.good();
-}
-
-/// Write under another name, then rename: a reader never sees half a picture, and a failure leaves the old one alone.
-void write_whole(const std::string& path, const std::vector<unsigned char>& bytes) {
-    const fs::path temporary = temporary_name(path);
-    std::error_code failed;
-    const bool is_written = write_bytes(temporary, bytes);
-    if (is_written) fs::rename(temporary, path, failed);
-    if (is_written && !failed) return;
-    const std::string why = failed ? failed.message() : "is the disk full, or the folder protected?";
-    fs::remove(temporary, failed);
-    throw UserError(Place{path}, "cannot be written: " + why);
 }
 
 template <typename Value, typename Convert>
@@ -176,6 +148,10 @@ std::uint8_t byte_from_encoded(float encoded) {
     return static_cast<std::uint8_t>(std::lround(255.0f * std::min(encoded, 1.0f)));
 }
 
+std::uint64_t hash_of_bytes(std::span<const std::byte> bytes, std::uint64_t seed) {
+    return OIIO::xxhash::XXH64(bytes.data(), bytes.size(), seed);
+}
+
 raster::Image read_image(const std::string& path, const ImageReadOptions& options) {
     return read_stored_image(path, options).image;
 }
@@ -198,7 +174,8 @@ void write_png(const std::string& path, const raster::Image& encoded) {
     OIIO::ImageSpec spec(encoded.width, encoded.height, encoded.channels, OIIO::TypeUInt8);
     spec.attribute("oiio:ColorSpace", "sRGB");
     const auto bytes = interleave<std::uint8_t>(encoded, byte_from_encoded);
-    write_whole(path, encode(path, "png", spec, OIIO::TypeUInt8, bytes.data()));
+    const std::vector<unsigned char> file = encode(path, "png", spec, OIIO::TypeUInt8, bytes.data());
+    write_whole_file(path, {std::as_bytes(std::span(file))});
 }
 
 void write_exr(const std::string& path, const raster::Image& linear, const std::vector<std::string>& channel_names) {
@@ -211,7 +188,8 @@ void write_exr(const std::string& path, const raster::Image& linear, const std::
     spec.attribute("DateTime", "1970:01:01 00:00:00");  // otherwise the time of writing, and no two files are equal
     spec.attribute("oiio:ColorSpace", "Linear");
     const auto values = interleave<float>(linear, [](float value) { return value; });
-    write_whole(path, encode(path, "openexr", spec, OIIO::TypeFloat, values.data()));
+    const std::vector<unsigned char> file = encode(path, "openexr", spec, OIIO::TypeFloat, values.data());
+    write_whole_file(path, {std::as_bytes(std::span(file))});
 }
 
 }  // namespace kreda::scene

@@ -5,6 +5,7 @@
 
 #include "lighting/passes.hpp"
 #include "raster/platform.hpp"
+#include "scene/environment_plan.hpp"
 #include "scene/map_meshes.hpp"
 #include "scene/plan_cost.hpp"
 #include "scene/shadow_words.hpp"
@@ -64,42 +65,6 @@ raster::VertexNeeds vertex_needs(const Scene& scene, const RenderPlan& plan) {
     return needs;
 }
 
-/// Is any visible material of this kind?
-template <class Test>
-bool any_visible(const Scene& scene, Test test) {
-    const std::vector<bool> visible = visible_materials(scene);
-    for (std::size_t m = 0; m < scene.materials.size(); ++m) {
-        if (visible[m] && test(scene.materials[m])) return true;
-    }
-    return false;
-}
-
-bool is_microfacet(const lighting::Material& material) {
-    return material.model == lighting::ReflectionModel::cook_torrance;
-}
-
-/// What the materials that are seen, and the background, ask of the environment.
-lighting::EnvironmentNeeds environment_needs(const Scene& scene) {
-    lighting::EnvironmentNeeds needs;
-    if (!scene.environment.on) return needs;
-    const bool lights = any_visible(scene, [](const auto& m) { return m.model != lighting::ReflectionModel::unlit; });
-    const bool shines = any_visible(scene, is_microfacet);
-    const bool split_sum = scene.environment.reference == 0;
-    needs.mirror = scene.image.environment_background || (lights && !split_sum);
-    needs.irradiance = lights && split_sum;
-    needs.blurred = shines && split_sum;
-    needs.form = needs.irradiance ? scene.environment.irradiance : lighting::IrradianceForm::map;
-    if (!needs.blurred) return needs;
-    const std::vector<bool> visible = visible_materials(scene);
-    for (std::size_t m = 0; m < scene.materials.size(); ++m) {
-        const lighting::CookTorranceMaterial& material = scene.materials[m].cook_torrance;
-        const lighting::BrdfKind kind{material.distribution, material.geometry};
-        const bool known = std::find(needs.brdf.begin(), needs.brdf.end(), kind) != needs.brdf.end();
-        if (visible[m] && is_microfacet(scene.materials[m]) && !known) needs.brdf.push_back(kind);
-    }
-    return needs;
-}
-
 raster::FragmentNeeds fragment_needs(const RenderPlan& plan) {
     raster::FragmentNeeds needs;
     needs.position = plan.frequency == ShadingFrequency::phong || plan.fog_at_pixels;
@@ -127,27 +92,6 @@ std::vector<raster::FragmentNeeds> fragment_needs_of_materials(const RenderPlan&
         of_material[m].tangent |= maps.tangent;
     }
     return of_material;
-}
-
-/// Baked once, before the first frame.
-void plan_environment(const Scene& scene, RenderPlan& plan) {
-    const lighting::EnvironmentNeeds& needs = plan.environment;
-    const auto bake = [&](const char* map, const std::string& reason) {
-        plan.passes.push_back({std::string("bake ") + map, reason, {}});
-    };
-    if (needs.mirror && !needs.blurred) {
-        bake("environment", scene.image.environment_background ? "image.background = \"environment\""
-                                                               : "environment.reference asks for samples of it");
-    }
-    if (needs.blurred) {
-        bake("prefiltered levels", "a cook_torrance material reflects the environment, " +
-                                       std::to_string(scene.environment.samples) + " samples at roughness 1");
-    }
-    if (needs.irradiance) {
-        bake("irradiance", needs.form == lighting::IrradianceForm::sh9 ? "nine coefficients: environment.irradiance = \"sh9\""
-                                                                       : "a lit material gathers it from all sides");
-    }
-    if (!needs.brdf.empty()) bake("brdf map", std::to_string(needs.brdf.size()) + " pair of distribution and geometry");
 }
 
 void plan_vertices(const Scene& scene, const Sizes& sizes, RenderPlan& plan) {
@@ -317,7 +261,7 @@ RenderPlan make_plan(const Scene& scene, const std::vector<const View*>& views) 
     plan.vertex = vertex_needs(scene, plan);
     plan.fragment = fragment_needs(plan);
     plan.fragment_of_material = fragment_needs_of_materials(plan);
-    plan_environment(scene, plan);
+    plan.passes = plan_baking(scene, plan.environment);
     if (!scene.objects.empty()) {
         plan_maps(scene, plan);
         plan_vertices(scene, sizes, plan);
@@ -380,8 +324,12 @@ std::string describe(const RenderPlan& plan, bool with_left_out) {
     const bool all_estimated = std::all_of(plan.passes.begin(), plan.passes.end(), [](const PlannedPass& pass) {
         return !pass.cost.items.empty() || pass.name.starts_with("view ");
     });
-    text += "together: at most " + short_count(total_operations(plan)) + " operations" +
-            (all_estimated ? "" : " and those of the passes without an estimate") + ", " +
+    const double bake_operations = baking_operations(plan);
+    if (bake_operations > 0.0) {
+        text += "baking, once and kept: " + short_count(bake_operations) + " operations\n";
+    }
+    text += std::string(bake_operations > 0.0 ? "a frame" : "together") + ": at most " + short_count(total_operations(plan)) +
+            " operations" + (all_estimated ? "" : " and those of the passes without an estimate") + ", " +
             std::to_string(total_bytes(plan)) + " bytes of buffers\n";
     if (with_left_out) {
         for (const LeftOutPass& pass : plan.left_out) text += "-  " + pass.name + ": left out, " + pass.why_not + "\n";

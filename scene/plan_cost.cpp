@@ -137,6 +137,30 @@ double map_operations(const PlannedPass& pass) {
     return kLevel + kTrilinear * static_cast<double>(pass.buffers.size());
 }
 
+/// Where light is computed, and how often.
+const char* lit_points(const RenderPlan& plan) {
+    if (plan.frequency == ShadingFrequency::phong) return "samples";
+    return plan.frequency == ShadingFrequency::gouraud ? "vertices" : "triangles";
+}
+
+std::uint64_t lit_count(const RenderPlan& plan, const LitObjects& objects, std::uint64_t samples) {
+    if (plan.frequency == ShadingFrequency::phong) return samples;
+    return plan.frequency == ShadingFrequency::gouraud ? objects.vertices : objects.triangles;
+}
+
+bool is_baked(const PlannedPass& pass) { return pass.name.starts_with("bake "); }
+
+/// The environment at one point: E for every lit material, P, A and B for those with a highlight; or samples of the integral.
+double environment_operations(const Scene& scene, const RenderPlan& plan) {
+    constexpr double kCubeTap = 35.0, kFourTexels = 28.0, kTurn = 6.0, kDiffuse = 15.0;
+    constexpr double kIrradiance = kTurn + kCubeTap + kFourTexels + kDiffuse;
+    constexpr double kSpecular = kTurn + 2.0 * (kCubeTap + kFourTexels) + 22.0 + kFourTexels + 45.0;
+    constexpr double kSample = 160.0;  // a direction, a look-up, D, G, F and the sum
+    const int reference = scene.environment.reference;
+    if (reference > 0) return static_cast<double>(reference) * 2.0 * kSample;
+    return kIrradiance + (plan.environment.blurred ? kSpecular : 0.0);
+}
+
 /// Every texel once, as in the visibility pass.
 PassCost shadow_map_cost(const PlannedShadow& shadow) {
     const auto side = static_cast<std::uint64_t>(shadow.map.settings.size);
@@ -194,6 +218,7 @@ void estimate_costs(const Scene& scene, RenderPlan& plan) {
         {"visibility", {"samples", samples, 14.0}},
         {"interpolate", {"samples", samples, interpolation_operations(plan)}},
         {"light pixels", {"samples", samples, lighting}},
+        {"environment", {lit_points(plan), lit_count(plan, objects, samples), environment_operations(scene, plan)}},
         {"fog at pixels", {"samples", samples, fog_operations(scene.fog)}},
         {"mix fog", {"samples", samples, 10.0}},
         {"film", {"pixels", pixels, plan.samples == 1 ? 0.0 : 3.0 * n2}},
@@ -209,9 +234,15 @@ void estimate_costs(const Scene& scene, RenderPlan& plan) {
     }
 }
 
+double baking_operations(const RenderPlan& plan) {
+    double sum = 0.0;
+    for (const PlannedPass& pass : plan.passes) sum += is_baked(pass) ? pass.cost.operations() : 0.0;
+    return sum;
+}
+
 double total_operations(const RenderPlan& plan) {
     double sum = 0.0;
-    for (const PlannedPass& pass : plan.passes) sum += pass.cost.operations();
+    for (const PlannedPass& pass : plan.passes) sum += is_baked(pass) ? 0.0 : pass.cost.operations();
     return sum;
 }
 

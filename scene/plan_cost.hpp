@@ -21,7 +21,10 @@ namespace kreda::scene {
 /// Fill in PlannedPass::cost of every pass of the plan that is known here.
 void estimate_costs(const Scene& scene, RenderPlan& plan);
 
-/// Operations of all passes together.
+/// Operations of what is baked before the first frame.
+[[nodiscard]] double baking_operations(const RenderPlan& plan);
+
+/// Operations of all passes of a frame together.
 [[nodiscard]] double total_operations(const RenderPlan& plan);
 
 /// Bytes of all buffers together, those of a tile or batch once.

@@ -1,6 +1,5 @@
 #include "scene/read_environment.hpp"
 
-#include "lighting/environment_image.hpp"
 #include "scene/file_key.hpp"
 #include "scene/image_file.hpp"
 #include "scene/toml_check.hpp"
@@ -11,28 +10,42 @@ namespace {
 
 constexpr int kLeastWidth = 4;
 
-/// The image, repaired. What was wrong with it is a warning.
+std::string size_text(const raster::Image& image) {
+    return std::to_string(image.width) + " x " + std::to_string(image.height);
+}
+
+std::string repairs_text(const lighting::EnvironmentRepairs& repairs) {
+    return "holds texels that are no light: " + std::to_string(repairs.negative) + " negative (set to 0), " +
+           std::to_string(repairs.nan) + " not a number (mean of their neighbours), " + std::to_string(repairs.infinite) +
+           " infinite (set to the largest finite one)";
+}
+
+/// The image that a key names. What was wrong with it is a warning.
 std::shared_ptr<const raster::Image> load(const Value& key, const std::string& path, std::vector<std::string>& warnings) {
-    auto image = std::make_shared<raster::Image>(read_image(path));
-    const std::string size = std::to_string(image->width) + " x " + std::to_string(image->height);
-    if (image->width < kLeastWidth || image->height < kLeastWidth / 2) {
-        throw UserError(key.place, in_quotes(key.key) + ": " + in_quotes(path) + " is " + size +
-                                       " pixels; an equirectangular image is twice as wide as high, e.g. 1024 x 512");
+    const EnvironmentImage loaded = read_environment_image(path, key.place, in_quotes(key.key) + ": " + in_quotes(path) + " ");
+    for (const std::string& remark : loaded.remarks) {
+        warnings.push_back(UserError(key.place, in_quotes(path) + " " + remark).what());
     }
-    const auto warn = [&](const std::string& what) {
-        warnings.push_back(UserError(key.place, in_quotes(path) + what).what());
-    };
-    if (image->width != 2 * image->height) warn(" is " + size + ", not twice as wide as high; it is stretched");
-    const lighting::EnvironmentRepairs repairs = lighting::repair_environment(*image);
-    if (repairs.total() > 0) {
-        warn(" holds texels that are no light: " + std::to_string(repairs.negative) + " negative (set to 0), " +
-             std::to_string(repairs.nan) + " not a number (mean of their neighbours), " +
-             std::to_string(repairs.infinite) + " infinite (set to the largest finite one)");
-    }
-    return image;
+    return loaded.image;
 }
 
 }  // namespace
+
+EnvironmentImage read_environment_image(const std::string& path, const Place& place, const std::string& subject) {
+    auto image = std::make_shared<raster::Image>(read_image(path));
+    if (image->width < kLeastWidth || image->height < kLeastWidth / 2) {
+        throw UserError(place, subject + "is " + size_text(*image) +
+                                   " pixels; an equirectangular image is twice as wide as high, e.g. 1024 x 512");
+    }
+    EnvironmentImage loaded;
+    loaded.repairs = lighting::repair_environment(*image);
+    if (image->width != 2 * image->height) {
+        loaded.remarks.push_back("is " + size_text(*image) + ", not twice as wide as high; it is stretched");
+    }
+    if (loaded.repairs.total() > 0) loaded.remarks.push_back(repairs_text(loaded.repairs));
+    loaded.image = std::move(image);
+    return loaded;
+}
 
 EnvironmentSettings read_environment(const Value& table, const std::string& folder, std::vector<std::string>& warnings) {
     const Value* file = find(table, "file");

@@ -73,7 +73,14 @@ std::vector<lighting::LightSetup> make_lights(const Scene& scene) {
 /// Baking belongs to loading, not to the frame.
 void bake_if_missing(const Scene& scene, const RenderPlan& plan, RenderBuffers& buffers) {
     if (!plan.environment.any()) return;
-    if (buffers.environment && serves(*buffers.environment, scene.environment, plan.environment)) return;
+    const auto usable = [&](const PreparedEnvironment* prepared) {
+        return prepared && serves(*prepared, scene.environment, plan.environment);
+    };
+    if (usable(buffers.environment.get())) return;
+    if (usable(scene.environment.prepared.get())) {
+        buffers.environment = scene.environment.prepared;
+        return;
+    }
     buffers.environment =
         std::make_shared<PreparedEnvironment>(prepare_environment(scene.environment, plan.environment));
 }

@@ -23,23 +23,6 @@ RenderPlan plan_with_views(const scene::Scene& scene) {
     return make_plan(scene, views);
 }
 
-void check_request(const scene::ImageSettings& image, const PixelRequest& request) {
-    const auto inside = [](int value, int size) { return value >= 0 && value < size; };
-    if (!inside(request.x, image.width) || !inside(request.y, image.height)) {
-        throw scene::UserError("--pixel " + std::to_string(request.x) + "," + std::to_string(request.y) +
-                               ": outside the picture; expected X from 0 to " + std::to_string(image.width - 1) +
-                               " and Y from 0 to " + std::to_string(image.height - 1) +
-                               " (0,0 is the upper left pixel)");
-    }
-    if (request.sample_x < 0) return;
-    if (!inside(request.sample_x, image.samples) || !inside(request.sample_y, image.samples)) {
-        throw scene::UserError("--sample " + std::to_string(request.sample_x) + "," + std::to_string(request.sample_y) +
-                               ": this picture has " + std::to_string(image.samples) + " x " +
-                               std::to_string(image.samples) + " samples a pixel; expected numbers from 0 to " +
-                               std::to_string(image.samples - 1));
-    }
-}
-
 void explain_plan(const scene::Scene& scene, Derivation& derivation) {
     Section section{"plan", "the plan: what this scene requires", {}};
     Table table{"passes", {"pass", "reason"}, {}};
@@ -155,6 +138,23 @@ SampleFacts look_at_sample(const Frame& frame, int x, int y) {
     work_batch(frame, area, &run, 1, *sample.passes);
     sample.radiance = sample.passes->lighting.radiance.at(0);
     return sample;
+}
+
+void check_request(const scene::ImageSettings& image, const PixelRequest& request) {
+    const auto inside = [](int value, int size) { return value >= 0 && value < size; };
+    if (!inside(request.x, image.width) || !inside(request.y, image.height)) {
+        throw scene::UserError("--pixel " + std::to_string(request.x) + "," + std::to_string(request.y) +
+                               ": outside the picture; expected X from 0 to " + std::to_string(image.width - 1) +
+                               " and Y from 0 to " + std::to_string(image.height - 1) +
+                               " (0,0 is the upper left pixel)");
+    }
+    if (request.sample_x < 0) return;
+    if (!inside(request.sample_x, image.samples) || !inside(request.sample_y, image.samples)) {
+        throw scene::UserError("--sample " + std::to_string(request.sample_x) + "," + std::to_string(request.sample_y) +
+                               ": this picture has " + std::to_string(image.samples) + " x " +
+                               std::to_string(image.samples) + " samples a pixel; expected numbers from 0 to " +
+                               std::to_string(image.samples - 1));
+    }
 }
 
 Explanation explain_pixel(const scene::Scene& scene, const PixelRequest& request) {

@@ -30,6 +30,9 @@ struct Explanation {
     std::array<std::uint8_t, 3> byte{};  ///< what the PNG holds
 };
 
+/// Throws UserError for a pixel or sample outside the picture.
+void check_request(const scene::ImageSettings& image, const PixelRequest& request);
+
 /// Draw the scene and follow one of its pixels. Throws UserError for a pixel outside the picture.
 [[nodiscard]] Explanation explain_pixel(const scene::Scene& scene, const PixelRequest& request);
 

@@ -8,6 +8,7 @@
 #include <CLI/CLI.hpp>
 
 #include "scene/error.hpp"
+#include "tools/bake_scene.hpp"
 #include "tools/commands.hpp"
 #include "tools/explain.hpp"
 #include "tools/scene_options.hpp"
@@ -18,6 +19,7 @@ namespace {
 
 struct ExplainOptions {
     SceneOptions scene;
+    CacheOptions cache;
     std::string pixel;
     std::string sample;
     std::string format = "text";
@@ -48,7 +50,10 @@ void explain_command(const ExplainOptions& options) {
         request.sample_x = sample.x;
         request.sample_y = sample.y;
     }
-    const Explanation explanation = explain_pixel(load_scene(options.scene), request);
+    scene::Scene scene = load_scene(options.scene);
+    check_request(scene.image, request);
+    bake_scene(scene, options.cache);
+    const Explanation explanation = explain_pixel(scene, request);
     if (options.format == "json")
         std::cout << as_json(explanation.derivation);
     else if (options.format == "md")
@@ -73,6 +78,7 @@ void add_explain_command(CLI::App& app) {
     CLI::App* command = app.add_subcommand("explain", "Print the life of one pixel: every formula with its numbers");
     const auto options = std::make_shared<ExplainOptions>();
     add_scene_options(*command, options->scene);
+    add_cache_options(*command, options->cache);
     command->add_option("--pixel", options->pixel, "The pixel, from the upper left corner, e.g. 320,180")
         ->type_name("X,Y")
         ->required();

@@ -26,6 +26,7 @@ Examples:
   kreda plan scene.toml --why-not                 which passes the scene requires, and why
   kreda stages scene.toml -o stages               every stage a picture; open stages/index.html
   kreda explain scene.toml --pixel 320,180        every formula of one pixel with its numbers
+  kreda bake dawn.hdr -o dawn                     the maps of light from an image as EXR files
   kreda keys                                      everything a scene file may say)";
 
 /// A complaint is one line, whatever is in the names that it quotes.
@@ -81,6 +82,7 @@ int main(int argc, char** argv) {
         kreda::tools::add_plan_command(app);
         kreda::tools::add_explain_command(app);
         kreda::tools::add_stages_command(app);
+        kreda::tools::add_bake_command(app);
         kreda::tools::add_keys_command(app);
         kreda::tools::add_gallery_command(app);
         kreda::tools::add_bench_command(app);

@@ -13,6 +13,8 @@
 #include "scene/draw.hpp"
 #include "scene/image_file.hpp"
 #include "scene/light_depth.hpp"
+#include "scene/render.hpp"
+#include "tools/bake_scene.hpp"
 #include "tools/commands.hpp"
 #include "tools/scene_options.hpp"
 #include "tools/slide.hpp"
@@ -29,6 +31,7 @@ using scene::UserError;
 
 struct RenderOptions {
     SceneOptions scene;
+    CacheOptions cache;
     std::string output;  ///< empty: the scene's name and .png, in the current folder
     std::string view;    ///< a view's name; empty: the picture itself
     int light = -1;      ///< draw with this light alone; -1: with all that are on
@@ -192,9 +195,10 @@ void render_command(const RenderOptions& options) {
     check_output(path);
     check_slides(options, path);
     const scene::View* view = chosen_view(options.view);
-    const scene::Scene scene = load(options);
+    scene::Scene scene = load(options);
     const scene::RenderPlan plan = view && !is_light_depth(view) ? make_plan(scene, {view}) : make_plan(scene);
     if (view) check_view(plan, scene, *view);
+    bake_scene(scene, options.cache);
     scene::RenderBuffers buffers;
     TimeReport report;
     for (int i = 0; i < options.repeat; ++i) report.frames.push_back(render(scene, plan, buffers, options.threads));
@@ -231,12 +235,15 @@ The scene file is described by `kreda keys`; a value given here wins over the fi
 --time prints one line of JSON, milliseconds from the loaded scene to the linear film, without loading, tone mapping and
 writing. Stages that run tile by tile are summed over the threads and divided by their number. pixels_shaded counts
 visible samples: with --samples 2 up to four a pixel.
+An environment is baked before the first frame. Its maps are kept in .kreda-cache beside the scene file, for the next render;
+delete the folder at will.
 
 Examples:
   kreda render scene.toml -o picture.png
   kreda render bunny.obj                                         any mesh, the camera in front of it
   kreda render scene.toml -o picture.exr --size 1920x1080        linear float, before tone mapping
   kreda render scene.toml --set camera.position=[0,1,4] --samples 4
+  kreda render scene.toml --cache /tmp/maps                      keep the environment's maps there
   kreda render scene.toml --view normal -o normal.png
   kreda render scene.toml --light 0 --view light_depth           what light.0 sees: its shadow map
   kreda render scene.toml -o slide.png --slides dark             1920 x 1080 with title and caption
@@ -248,6 +255,7 @@ void add_render_command(CLI::App& app) {
     CLI::App* command = app.add_subcommand("render", "Draw a scene into a PNG or EXR file");
     const auto options = std::make_shared<RenderOptions>();
     add_scene_options(*command, options->scene);
+    add_cache_options(*command, options->cache);
     command->add_option("-o,--output", options->output,
                         "The picture: .png (8-bit sRGB) or .exr (linear float); by default SCENE.png in this folder")
         ->type_name("FILE");

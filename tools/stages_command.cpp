@@ -6,12 +6,13 @@
 #include <optional>
 #include <string>
 
-#include <unistd.h>
 #include <CLI/CLI.hpp>
 
 #include "scene/error.hpp"
 #include "scene/image_file.hpp"
+#include "tools/bake_scene.hpp"
 #include "tools/commands.hpp"
+#include "tools/progress_bar.hpp"
 #include "tools/scene_options.hpp"
 #include "tools/slide.hpp"
 #include "tools/stage.hpp"
@@ -27,6 +28,7 @@ using scene::UserError;
 
 struct StagesOptions {
     SceneOptions scene;
+    CacheOptions cache;
     std::string output;
     std::string size;
     std::string zoom;
@@ -52,7 +54,7 @@ public:
         char number[16];
         std::snprintf(number, sizeof number, "%02zu_", page_.stages.size() + 1);
         const std::string name = number + stage.name;
-        progress(name);
+        show_status(name);
         raster::Image picture = stage.picture;
         if (ground_) picture = make_slide(picture, slide_text(stage), *ground_);
         if (!ground_ && !page_.has_pixels) page_.picture_size = {picture.width, picture.height};
@@ -71,7 +73,7 @@ public:
     void finish() {
         scene::write_png(path("contact_sheet.png"), contact_sheet(page_.title + ": the stages", thumbnails_, titles_));
         write_file(path("index.html"), stage_page_html(page_));
-        progress("");
+        show_status("");
         std::cerr << "wrote " << page_.stages.size() << " stages, contact_sheet.png and index.html to "
                   << options_.output << "\n";
     }
@@ -83,11 +85,6 @@ private:
 
     [[nodiscard]] SlideText slide_text(const Stage& stage) const {
         return {page_.title, stage.title, stage.meaning + (stage.legend.empty() ? "" : ". " + stage.legend)};
-    }
-
-    /// The stage at work, on one line of a terminal.
-    static void progress(const std::string& name) {
-        if (isatty(STDERR_FILENO)) std::cerr << "\r\x1b[K" << name << std::flush;
     }
 
     const StagesOptions& options_;
@@ -127,11 +124,12 @@ scene::Scene load(const StagesOptions& options) {
 void stages_command(const StagesOptions& options) {
     std::optional<SlideGround> ground;
     if (!options.slides.empty()) ground = slide_ground(options.slides);
-    const scene::Scene scene = load(options);
+    scene::Scene scene = load(options);
     const glm::ivec2 zoom_room = options.slides.empty() ? glm::ivec2(1920, 1080) : slide_picture_size(1800, 760);
     std::optional<PixelRectangle> part;
     if (!options.zoom.empty()) part = read_zoom(options.zoom, scene.image);
     make_folder((fs::path(options.output) / "values").string());
+    bake_scene(scene, options.cache);
     StageWriter writer(options, scene, ground);
     const auto write = [&](const Stage& stage) { writer.write(stage); };
     if (part) {
@@ -159,6 +157,7 @@ void add_stages_command(CLI::App& app) {
     CLI::App* command = app.add_subcommand("stages", "Write every stage and every term of a picture as a picture");
     const auto options = std::make_shared<StagesOptions>();
     add_scene_options(*command, options->scene);
+    add_cache_options(*command, options->cache);
     command->add_option("-o,--output", options->output, "Folder for the pictures, made if need be")
         ->type_name("DIR")
         ->required();

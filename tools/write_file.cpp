@@ -1,23 +1,15 @@
 #include "tools/write_file.hpp"
 
 #include <filesystem>
-#include <fstream>
 #include <system_error>
 
 #include "scene/error.hpp"
+#include "scene/whole_file.hpp"
 
 namespace kreda::tools {
 
 void write_file(const std::string& path, const std::string& text) {
-    const std::string temporary = path + ".tmp";
-    std::ofstream file(temporary, std::ios::binary);
-    file << text;
-    file.close();
-    std::error_code failed;
-    if (file) std::filesystem::rename(temporary, path, failed);
-    if (file && !failed) return;
-    std::filesystem::remove(temporary, failed);
-    throw scene::UserError(scene::Place{path}, "cannot be written");
+    scene::write_whole_file(path, {std::as_bytes(std::span(text))});
 }
 
 void make_folder(const std::string& path) {

@@ -1,0 +1,207 @@
+// Maps that are kept on disk: the same as those baked anew, to the last bit, whatever happened to the files.
+#include <algorithm>
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include <doctest/doctest.h>
+
+#include "lighting/environment_image.hpp"
+#include "scene/environment_cache.hpp"
+#include "scene/environment_plan.hpp"
+#include "scene/map_file.hpp"
+#include "scene/read_scene.hpp"
+#include "scene/render.hpp"
+#include "tests/scene/temp_folder.hpp"
+
+using namespace kreda;
+using namespace kreda::scene;
+using kreda::tests::bytes_of;
+using kreda::tests::TempFolder;
+
+namespace {
+
+/// A shining ball before an environment with something else in every texel.
+Scene ball(const std::string& environment = "") {
+    Scene scene = read_scene_text(
+        "[image]\nsize = [32, 32]\nbackground = \"environment\"\n[camera]\nposition = [0, 0, 4]\n[environment]\nsky = \"studio\"\n"
+        "samples = 32\n" + environment +
+            "[[object]]\nmesh = \"sphere\"\ndetail = 16\nmaterial = \"m\"\n[[material]]\nname = \"m\"\nmodel = \"cook_torrance\"\n"
+            "roughness = 0.4\n",
+        "test", "");
+    raster::Image image = raster::make_image(8, 4, 3);
+    for (std::size_t i = 0; i < image.values.size(); ++i) image.values[i] = static_cast<float>(i % 7);
+    scene.environment.image = std::make_shared<raster::Image>(image);
+    return scene;
+}
+
+struct Cached {
+    PreparedEnvironment environment;
+    CacheReport report;
+};
+
+Cached cached(const Scene& scene, const std::string& folder) {
+    Cached result;
+    result.environment = cached_environment(scene.environment, environment_needs(scene), folder, {}, result.report);
+    return result;
+}
+
+bool same_maps(const PreparedEnvironment& a, const PreparedEnvironment& b) {
+    if (a.maps.brdf.size() != b.maps.brdf.size() || a.maps.sh9.has_value() != b.maps.sh9.has_value()) return false;
+    for (std::size_t k = 0; k < a.maps.brdf.size(); ++k) {
+        if (a.maps.brdf[k].texels != b.maps.brdf[k].texels) return false;
+    }
+    return a.maps.prefiltered.texels == b.maps.prefiltered.texels && a.maps.irradiance.texels == b.maps.irradiance.texels &&
+           (!a.maps.sh9 || a.maps.sh9->c == b.maps.sh9->c);
+}
+
+PreparedEnvironment fresh(const Scene& scene) { return prepare_environment(scene.environment, environment_needs(scene)); }
+
+std::vector<std::string> map_files(const std::string& folder) {
+    std::vector<std::string> files;
+    for (const auto& entry : std::filesystem::directory_iterator(folder)) {
+        if (entry.path().extension() == ".map") files.push_back(entry.path().string());
+    }
+    std::sort(files.begin(), files.end());
+    return files;
+}
+
+void overwrite(const std::string& file, const std::string& bytes) { std::ofstream(file, std::ios::binary) << bytes; }
+
+}  // namespace
+
+TEST_CASE("environment cache: maps from it and the film drawn with them are those baked anew to the last bit") {
+    for (const char* form : {"map", "sh9"}) {
+        CAPTURE(form);
+        const TempFolder folder;
+        Scene scene = ball("irradiance = \"" + std::string(form) + "\"\n");
+        const PreparedEnvironment anew = fresh(scene);
+        const std::vector<float> film = render(scene).values;
+        const Cached cold = cached(scene, folder.file("maps"));
+        CHECK(cold.report.baked == 3);  // levels, irradiance, BRDF map
+        CHECK(cold.report.why_not_kept.empty());
+        CHECK(same_maps(cold.environment, anew));
+        const Cached warm = cached(scene, folder.file("maps"));
+        CHECK(warm.report.found == 3);
+        CHECK(warm.report.baked == 0);
+        CHECK(same_maps(warm.environment, anew));
+        scene.environment.prepared = std::make_shared<PreparedEnvironment>(warm.environment);
+        CHECK(render(scene).values == film);
+    }
+}
+
+TEST_CASE("environment cache: a scene's prepared maps are drawn with and maps for another scene are not") {
+    Scene scene = ball();
+    const std::vector<float> film = render(scene).values;
+    PreparedEnvironment dark = fresh(scene);
+    std::fill(dark.maps.prefiltered.texels.begin(), dark.maps.prefiltered.texels.end(), 0.0f);
+    scene.environment.prepared = std::make_shared<PreparedEnvironment>(dark);
+    CHECK(render(scene).values != film);
+    scene.environment.samples = 64;
+    Scene same = ball("");
+    same.environment.samples = 64;
+    same.environment.image = scene.environment.image;
+    CHECK(render(scene).values == render(same).values);
+}
+
+TEST_CASE("environment cache: a file that is damaged or cut off is baked again and mended") {
+    const TempFolder folder;
+    const Scene scene = ball();
+    const PreparedEnvironment anew = fresh(scene);
+    static_cast<void>(cached(scene, folder.path.string()));
+    const std::vector<std::string> files = map_files(folder.path.string());
+    REQUIRE(files.size() == 3);
+    std::vector<std::string> good;
+    for (const std::string& file : files) good.push_back(bytes_of(file));
+    const auto mended_after = [&](auto damage) {
+        for (std::size_t i = 0; i < files.size(); ++i) overwrite(files[i], damage(good[i]));
+        const Cached again = cached(scene, folder.path.string());
+        CHECK(again.report.baked == 3);
+        CHECK(same_maps(again.environment, anew));
+        for (std::size_t i = 0; i < files.size(); ++i) CHECK(bytes_of(files[i]) == good[i]);
+    };
+    mended_after([](std::string bytes) {
+        bytes[bytes.size() / 2] = static_cast<char>(bytes[bytes.size() / 2] ^ 4);
+        return bytes;
+    });
+    mended_after([](const std::string& bytes) { return bytes.substr(0, bytes.size() / 2); });
+    CHECK(map_files(folder.path.string()) == files);
+}
+
+TEST_CASE("environment cache: another image or sky or number of samples is another key and turning is not") {
+    const TempFolder folder;
+    const auto baked = [&](const Scene& scene) { return cached(scene, folder.path.string()).report.baked; };
+    CHECK(baked(ball()) == 3);
+    CHECK(baked(ball("rotation = 40\nintensity = 3\n")) == 0);
+    Scene changed = ball();
+    changed.environment.samples = 64;
+    CHECK(baked(changed) == 1);  // the levels alone
+    changed = ball("irradiance = \"sh9\"\n");
+    CHECK(baked(changed) == 1);
+    changed = ball();
+    raster::Image image = *changed.environment.image;
+    image.at(2, 5, 1) += 1e-6f;
+    changed.environment.image = std::make_shared<raster::Image>(image);
+    CHECK(baked(changed) == 2);  // not the BRDF map: it knows no environment
+    changed.environment.image = std::make_shared<raster::Image>(image);  // another object, the same texels
+    CHECK(baked(changed) == 0);
+    changed.environment.image = nullptr;
+    CHECK(baked(changed) == 2);
+    changed.environment.sky = lighting::Sky::sunset;
+    CHECK(baked(changed) == 2);
+    changed.materials[0].cook_torrance.geometry = lighting::Geometry::smith;
+    CHECK(baked(changed) == 1);
+}
+
+TEST_CASE("environment cache: a folder that cannot be made costs the cache and not the picture") {
+    const TempFolder folder;
+    folder.write("file", "");
+    const Scene scene = ball();
+    const Cached result = cached(scene, folder.file("file/maps"));
+    CHECK(result.report.baked == 3);
+    CHECK(result.report.why_not_kept.find("cannot be made") != std::string::npos);
+    CHECK(same_maps(result.environment, fresh(scene)));
+}
+
+TEST_CASE("environment cache: it lies beside the scene file and tells git to ignore it") {
+    CHECK(cache_folder_of("lesson/scene.toml") == "lesson/.kreda-cache");
+    CHECK(cache_folder_of("scene.toml") == ".kreda-cache");
+    CHECK(cache_folder_of("").empty());
+    const TempFolder folder;
+    static_cast<void>(cached(ball(), folder.file("maps")));
+    CHECK(bytes_of(folder.file("maps/.gitignore")) == "*\n");
+    CHECK(bytes_of(folder.file("maps/CACHEDIR.TAG")).starts_with("Signature: 8a477f597d28d172789f06886806bc55"));
+}
+
+TEST_CASE("map file: floats come back for their key alone") {
+    const TempFolder folder;
+    const std::vector<float> floats{1.0f, -0.0f, 3e-42f, 7.0f};
+    write_map_file(folder.file("a.map"), "key", floats);
+    std::vector<float> back(4);
+    CHECK(read_map_file(folder.file("a.map"), "key", back));
+    CHECK(back == floats);
+    CHECK_FALSE(read_map_file(folder.file("a.map"), "kez", back));
+    CHECK_FALSE(read_map_file(folder.file("b.map"), "key", back));
+    CHECK_FALSE(read_map_file(folder.path.string(), "key", back));
+    std::vector<float> more(5);
+    CHECK_FALSE(read_map_file(folder.file("a.map"), "key", more));
+}
+
+TEST_CASE("map file: a flipped byte anywhere or a missing one is noticed") {
+    const TempFolder folder;
+    std::vector<float> floats{1.0f, 2.0f, 3.0f};
+    const std::string file = folder.file("a.map");
+    write_map_file(file, "key", floats);
+    const std::string good = bytes_of(file);
+    for (std::size_t i = 0; i < good.size(); ++i) {
+        CAPTURE(i);
+        std::string bad = good;
+        bad[i] = static_cast<char>(bad[i] ^ 1);
+        overwrite(file, bad);
+        CHECK_FALSE(read_map_file(file, "key", floats));
+        overwrite(file, good.substr(0, i));
+        CHECK_FALSE(read_map_file(file, "key", floats));
+    }
+    overwrite(file, good);
+    CHECK(read_map_file(file, "key", floats));
+}
