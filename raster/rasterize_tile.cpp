@@ -1,10 +1,12 @@
 #include "raster/rasterize_tile.hpp"
 
 #include <algorithm>
+#include <bit>
 #include <cmath>
 
 #include "raster/depth.hpp"
 #include "raster/platform.hpp"
+#include "raster/sample_edges.hpp"
 #include "raster/screen_lanes.hpp"
 
 namespace kreda::raster {
@@ -14,18 +16,9 @@ namespace {
 /// Samples that are tested side by side. A constant, so that the compiler fills whole vector registers.
 constexpr int kLanes = 16;
 
-/// An edge function over one tile in 32 bits.
-///
-/// From one sample centre to the next E changes by a multiple of 256, so floor(E / 256) has the sign of E at every
-/// centre and is all that the test needs. Within a tile it changes by less than 2^30 (63 samples in x and y times steps
-/// below 2^23, see kGuardBand); a start value beyond +-2^30 can be cut there without changing any sign in the tile.
-struct TileEdge {
-    std::int32_t start = 0;   ///< at the tile's first sample; >= 0 means inside
-    std::int32_t step_x = 0;  ///< to the next sample of the row
-    std::int32_t step_y = 0;  ///< to the next row
-};
-
-inline TileEdge tile_edge(const ScreenVertex& a, const ScreenVertex& b, const TileArea& area) {
+/// An edge function over one tile. Within it E / 256 changes by less than 2^30 (63 samples in x and y times steps below
+/// 2^23, see kGuardBand); a start value beyond +-2^30 can be cut there without changing any sign in the tile.
+inline SampleEdge tile_edge(const ScreenVertex& a, const ScreenVertex& b, const TileArea& area) {
     constexpr double kLimit = 1 << 30;
     const std::int32_t p_x = area.x * kSubpixels + kPixelCentre;
     const std::int32_t p_y = area.y * kSubpixels + kPixelCentre;
@@ -36,7 +29,7 @@ inline TileEdge tile_edge(const ScreenVertex& a, const ScreenVertex& b, const Ti
     return {static_cast<std::int32_t>(not_below < kLimit ? not_below : kLimit), a.y - b.y, b.x - a.x};
 }
 
-/// Bounding box of a triangle in samples of the tile, the columns widened to whole groups of lanes.
+/// Bounding box of a triangle in samples of the tile.
 struct TileBox {
     std::int32_t x_first = 0, x_end = 0, y_first = 0, y_last = 0;
 };
@@ -48,20 +41,45 @@ inline TileBox tile_box(const ScreenVertex& a, const ScreenVertex& b, const Scre
     const std::int32_t y_first = first(std::min(std::min(a.y, b.y), c.y)) - area.y;
     const std::int32_t x_last = last(std::max(std::max(a.x, b.x), c.x)) - area.x;
     const std::int32_t y_last = last(std::max(std::max(a.y, b.y), c.y)) - area.y;
-    return {std::max(x_first, 0) & -kLanes, std::min(x_last, area.width - 1) + 1, std::max(y_first, 0),
+    return {std::max(x_first, 0), std::min(x_last, area.width - 1) + 1, std::max(y_first, 0),
             std::min(y_last, area.height - 1)};
 }
 
 /// What drawing a triangle in a tile needs to know of it.
 struct TileTriangle {
-    TileEdge ab, bc, ca;
+    SampleEdges edges;
     DepthPlane depth;
     TileBox box;
 };
 
+/// In place of the samples that are covered: the box is larger than the block.
+constexpr std::uint32_t kLargerThanBlock = 1u << (kBlockSide * kBlockSide);
+
+/// Is the whole box outside of an edge? A large triangle's box is often in the tile when the triangle is not.
+inline bool misses_box(const TileTriangle& t) {
+    const auto most = [&](const SampleEdge& e) {
+        return e.start + std::max(e.step_x * t.box.x_first, e.step_x * (t.box.x_end - 1)) +
+               std::max(e.step_y * t.box.y_first, e.step_y * t.box.y_last);
+    };
+    return (most(t.edges.ab) | most(t.edges.bc) | most(t.edges.ca)) < 0;
+}
+
+/// The samples that a triangle covers of the block that begins with its box. kLargerThanBlock: it may cover others, too.
+inline std::uint32_t covered_samples(const TileTriangle& t) {
+    const std::int32_t columns = t.box.x_end - t.box.x_first, rows = t.box.y_last - t.box.y_first + 1;
+    const std::uint32_t covered = covered_in_block(t.edges, t.box.x_first, t.box.y_first);
+    const std::uint32_t in_columns = 0x1111u | (columns > 1 ? 0x2222u : 0u) | (columns > 2 ? 0x4444u : 0u) |
+                                     (columns > 3 ? 0x8888u : 0u);
+    const std::uint32_t in_rows =
+        0x000fu | (rows > 1 ? 0x00f0u : 0u) | (rows > 2 ? 0x0f00u : 0u) | (rows > 3 ? 0xf000u : 0u);
+    const bool larger = (columns > kBlockSide) | (rows > kBlockSide);
+    const std::uint32_t covered_in_larger = misses_box(t) ? 0u : kLargerThanBlock;
+    return larger ? covered_in_larger : covered & in_columns & in_rows;  // the tile may end within the block
+}
+
 inline TileTriangle tile_triangle(const ScreenVertex& a, const ScreenVertex& b, const ScreenVertex& c,
                                   const TileArea& area) {
-    return {tile_edge(a, b, area), tile_edge(b, c, area), tile_edge(c, a, area),
+    return {{tile_edge(a, b, area), tile_edge(b, c, area), tile_edge(c, a, area)},
             depth_plane(a, b, c, edge_function<double>(a.x, a.y, b.x, b.y, c.x, c.y)), tile_box(a, b, c, area)};
 }
 
@@ -69,12 +87,12 @@ inline TileTriangle tile_triangle(const ScreenVertex& a, const ScreenVertex& b, 
 struct EdgeLanes {
     std::int32_t start[kScreenLanes], step_x[kScreenLanes], step_y[kScreenLanes];
 
-    void set(int i, const TileEdge& e) {
+    void set(int i, const SampleEdge& e) {
         start[i] = e.start;
         step_x[i] = e.step_x;
         step_y[i] = e.step_y;
     }
-    [[nodiscard]] TileEdge at(int i) const {
+    [[nodiscard]] SampleEdge at(int i) const {
         return {start[i], step_x[i], step_y[i]};
     }
 };
@@ -85,11 +103,13 @@ struct SetupLanes {
     EdgeLanes ab, bc, ca;
     float dz_dx[kScreenLanes], dz_dy[kScreenLanes], z_min[kScreenLanes], z_max[kScreenLanes];
     std::int32_t x_first[kScreenLanes], x_end[kScreenLanes], y_first[kScreenLanes], y_last[kScreenLanes];
+    std::uint32_t covered[kScreenLanes];
 
-    void set(int i, const TileTriangle& t) {
-        ab.set(i, t.ab);
-        bc.set(i, t.bc);
-        ca.set(i, t.ca);
+    void set(int i, const TileTriangle& t, std::uint32_t samples) {
+        covered[i] = samples;
+        ab.set(i, t.edges.ab);
+        bc.set(i, t.edges.bc);
+        ca.set(i, t.edges.ca);
         dz_dx[i] = t.depth.dz_dx;
         dz_dy[i] = t.depth.dz_dy;
         z_min[i] = t.depth.z_min;
@@ -99,9 +119,11 @@ struct SetupLanes {
         y_first[i] = t.box.y_first;
         y_last[i] = t.box.y_last;
     }
+    [[nodiscard]] DepthPlane depth_at(int i) const {
+        return {a.x[i], a.y[i], a.z[i], dz_dx[i], dz_dy[i], z_min[i], z_max[i]};
+    }
     [[nodiscard]] TileTriangle at(int i) const {
-        const DepthPlane depth{a.x[i], a.y[i], a.z[i], dz_dx[i], dz_dy[i], z_min[i], z_max[i]};
-        return {ab.at(i), bc.at(i), ca.at(i), depth, {x_first[i], x_end[i], y_first[i], y_last[i]}};
+        return {{ab.at(i), bc.at(i), ca.at(i)}, depth_at(i), {x_first[i], x_end[i], y_first[i], y_last[i]}};
     }
 };
 
@@ -121,22 +143,40 @@ inline void fetch_corners(const ScreenVertex* screen, const TriangleChunk& chunk
 
 inline void prepare_triangles(const TileArea& tile_area, int lanes, SetupLanes& setup) {
     const TileArea area = tile_area;
-    for (int i = 0; i < lanes; ++i) setup.set(i, tile_triangle(setup.a.at(i), setup.b.at(i), setup.c.at(i), area));
+    for (int i = 0; i < lanes; ++i) {
+        const TileTriangle triangle = tile_triangle(setup.a.at(i), setup.b.at(i), setup.c.at(i), area);
+        setup.set(i, triangle, covered_samples(triangle));
+    }
 }
 
-/// Edge tests and depth test for the samples of one triangle in one tile.
-inline void draw_in_tile(const TileTriangle& t, std::uint32_t id, const TileArea& area, TileVisibility& tile) {
+/// Depth test for the covered samples of a triangle that lies within a block.
+inline void draw_block(const SetupLanes& setup, int i, const TileArea& area, TileVisibility& tile) {
+    const DepthPlane plane = setup.depth_at(i);
+    for (std::uint32_t rest = setup.covered[i]; rest != 0; rest &= rest - 1) {
+        const int sample = std::countr_zero(rest);
+        const int x = setup.x_first[i] + sample % kBlockSide;
+        const int y = setup.y_first[i] + sample / kBlockSide;
+        const float z = depth_at(plane, depth_of_row(plane, area.y + y), area.x + x);
+        const int at = y * kTileSide + x;
+        if (z < tile.depth[at]) {
+            tile.depth[at] = z;
+            tile.triangle[at] = setup.id[i];
+        }
+    }
+}
+
+/// Edge tests and depth test for the samples of one triangle in one tile, row by row.
+inline void draw_rows(const TileTriangle& t, std::uint32_t id, const TileArea& area, TileVisibility& tile) {
+    const auto& [ab, bc, ca] = t.edges;
     for (int y = t.box.y_first; y <= t.box.y_last; ++y) {
         const float row_depth = depth_of_row(t.depth, area.y + y);
-        for (int x = t.box.x_first; x < t.box.x_end; x += kLanes) {
-            const std::int32_t e_ab = t.ab.start + t.ab.step_y * y + t.ab.step_x * x;
-            const std::int32_t e_bc = t.bc.start + t.bc.step_y * y + t.bc.step_x * x;
-            const std::int32_t e_ca = t.ca.start + t.ca.step_y * y + t.ca.step_x * x;
+        for (int x = t.box.x_first & -kLanes; x < t.box.x_end; x += kLanes) {
+            const std::int32_t e_ab = edge_at(ab, x, y), e_bc = edge_at(bc, x, y), e_ca = edge_at(ca, x, y);
             float* depth = &tile.depth[y * kTileSide + x];
             std::uint32_t* triangle = &tile.triangle[y * kTileSide + x];
             for (int i = 0; i < kLanes; ++i) {
                 const std::int32_t inside =
-                    (e_ab + t.ab.step_x * i) | (e_bc + t.bc.step_x * i) | (e_ca + t.ca.step_x * i);
+                    (e_ab + ab.step_x * i) | (e_bc + bc.step_x * i) | (e_ca + ca.step_x * i);
                 const float z = depth_at(t.depth, row_depth, area.x + x + i);
                 const bool visible = (inside >= 0) & (z < depth[i]);
                 depth[i] = visible ? z : depth[i];
@@ -155,7 +195,10 @@ KREDA_BATCH_LOOP void draw_chunk_in_tile(const ScreenVertex* screen, const Trian
         const int count = static_cast<int>(std::min<std::uint32_t>(end - entry, kScreenLanes));
         fetch_corners(screen, chunk, entry, count, first_id, setup);
         prepare_triangles(area, lanes_for(count), setup);
-        for (int i = 0; i < count; ++i) draw_in_tile(setup.at(i), setup.id[i], area, tile);
+        for (int i = 0; i < count; ++i) {
+            if (setup.covered[i] != kLargerThanBlock) draw_block(setup, i, area, tile);
+            else draw_rows(setup.at(i), setup.id[i], area, tile);
+        }
     }
 }
 

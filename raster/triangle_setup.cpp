@@ -7,6 +7,7 @@
 #include "raster/clip.hpp"
 #include "raster/platform.hpp"
 #include "raster/scalar_math.hpp"
+#include "raster/screen_lanes.hpp"
 
 namespace kreda::raster {
 
@@ -42,50 +43,15 @@ CullMode cull_mode_for(CullMode cull, const glm::mat4& world_from_object) {
     return cull == CullMode::front ? CullMode::back : cull;
 }
 
-/// First and last sample whose centre lies in [min, max] (1/256 sample), inside an image of `side` samples.
-struct SampleRange {
-    std::int32_t first, last;
+/// The tiles that a triangle's samples may lie in, inclusive.
+struct TileRange {
+    std::uint16_t x0, y0, x1, y1;
 };
-SampleRange samples_between(std::int32_t min, std::int32_t max, int side) {
-    const std::int32_t first = (min + kPixelCentre - 1) >> kSubpixelBits;
-    const std::int32_t last = (max - kPixelCentre) >> kSubpixelBits;
-    return {std::max(first, 0), std::min(last, side - 1)};
-}
-
-/// What becomes of a triangle.
-enum class Fate { drawn, degenerate, culled, outside };
-
-/// Orient a triangle clockwise (y down) and decide what becomes of it; if it is drawn, say which tiles its samples may
-/// lie in. The sign of the snapped area decides where it faces.
-Fate judge(const VertexStreams& streams, const Frame& frame, const TileGrid& grid, ScreenTriangle& triangle,
-           TriangleChunk::TileRange& tiles) {
-    const ScreenVertex* const a = &streams.screen[triangle.vertex[0]];
-    const ScreenVertex* b = &streams.screen[triangle.vertex[1]];
-    const ScreenVertex* c = &streams.screen[triangle.vertex[2]];
-    const std::int64_t area = edge_function(a->x, a->y, b->x, b->y, c->x, c->y);
-    if (area == 0) return Fate::degenerate;
-    const bool front = area < 0;  // counter-clockwise with y up is negative with y down
-    if (front ? frame.cull == CullMode::front : frame.cull == CullMode::back) return Fate::culled;
-    if (front) {
-        std::swap(triangle.vertex[1], triangle.vertex[2]);
-        std::swap(b, c);
-    }
-    const SampleRange x =
-        samples_between(std::min({a->x, b->x, c->x}), std::max({a->x, b->x, c->x}), frame.viewport.width);
-    const SampleRange y =
-        samples_between(std::min({a->y, b->y, c->y}), std::max({a->y, b->y, c->y}), frame.viewport.height);
-    const bool no_centre = (x.first > x.last) | (y.first > y.last);
-    if (no_centre) return Fate::outside;
-    const bool one_centre = (x.first == x.last) & (y.first == y.last);
-    if (one_centre && !covers_sample(*a, *b, *c, x.first, y.first)) return Fate::outside;
-    tiles = {grid.tile_of(x.first), grid.tile_of(y.first), grid.tile_of(x.last), grid.tile_of(y.last)};
-    return Fate::drawn;
-}
 
 /// Triangles that will be drawn, with the tiles that they touch; there is room for more behind the last.
 struct DrawList {
     std::vector<ScreenTriangle> triangles;
-    std::vector<TriangleChunk::TileRange> tiles;
+    std::vector<TileRange> tiles;
     std::uint32_t count = 0;
 
     void make_room(std::uint32_t more) {
@@ -95,35 +61,20 @@ struct DrawList {
     }
 };
 
-/// The place behind the last triangle. What is written there stays only if draw_or_count() finds that it is to be
-/// drawn. (Written in place, field by field: a copy would wait for its parts to reach memory.)
-ScreenTriangle& candidate(DrawList& list) {
-    return list.triangles[list.count];
+TileRange tiles_of(const TileGrid& grid, const SampleRange& x, const SampleRange& y) {
+    return {grid.tile_of(x.first), grid.tile_of(y.first), grid.tile_of(x.last), grid.tile_of(y.last)};
 }
 
-/// Keep the candidate, or count why not.
-void draw_or_count(const VertexStreams& streams, const Frame& frame, const TileGrid& grid, DrawList& list,
-                   TriangleCounts& counts) {
-    switch (judge(streams, frame, grid, candidate(list), list.tiles[list.count])) {
-        case Fate::drawn:
-            ++counts.drawn;
-            ++list.count;
-            return;
-        case Fate::degenerate:
-            ++counts.degenerate;
-            return;
-        case Fate::culled:
-            ++counts.culled;
-            return;
-        case Fate::outside:
-            ++counts.outside;
-            return;
-    }
-}
-
-void assign(const DrawList& list, TriangleChunk& chunk) {
-    chunk.triangles.assign(list.triangles.begin(), list.triangles.begin() + list.count);
-    chunk.tile_range.assign(list.tiles.begin(), list.tiles.begin() + list.count);
+/// Write a triangle, clockwise, behind the last; it stays only if it is to be drawn.
+void append(const ScreenTriangle& triangle, bool front, const TileRange& tiles, bool drawn, DrawList& list) {
+    ScreenTriangle& to = list.triangles[list.count];  // field by field: a copy would wait for its parts to reach memory
+    to.vertex[0] = triangle.vertex[0];
+    to.vertex[1] = triangle.vertex[front ? 2 : 1];
+    to.vertex[2] = triangle.vertex[front ? 1 : 2];
+    to.source = triangle.source;
+    to.material = triangle.material;
+    list.tiles[list.count] = tiles;
+    list.count += drawn;
 }
 
 /// The three corners of a triangle in clip space, computed again: only triangles for the clipper need them.
@@ -139,37 +90,107 @@ ClipPolygon clip_again(const MeshInstance& instance, const Frame& frame, const s
                          guard_band_ndc(frame.viewport.height));
 }
 
-/// Set up the triangles of one chunk that need no clipping; the others are put aside in `pending`.
-void setup_chunk(const ChunkTask& task, const MeshInstance& instance, const Frame& frame, const TileGrid& grid,
-                 const VertexStreams& streams, DrawList& list, TriangleChunk& chunk,
-                 std::vector<PendingClip>& pending) {
-    chunk.counts = {};
-    chunk.counts.input = task.triangle_count;
-    chunk.instance = task.instance;
-    chunk.first_source = task.first_source;
+/// One corner of triangles that are judged side by side.
+struct PointLanes {
+    alignas(64) std::int32_t x[kScreenLanes], y[kScreenLanes];
+
+    void set(int i, const ScreenVertex& v) {
+        x[i] = v.x;
+        y[i] = v.y;
+    }
+    [[nodiscard]] ScreenPoint at(int i) const {
+        return {x[i], y[i]};
+    }
+};
+
+/// Triangles that are judged side by side, a lane a triangle, and the judgements.
+struct JudgeLanes {
+    PointLanes a, b, c;
+    std::int32_t fate[kScreenLanes], front[kScreenLanes];
+    std::int32_t x_first[kScreenLanes], x_last[kScreenLanes], y_first[kScreenLanes], y_last[kScreenLanes];
+
+    void set(int i, const Judgement& judgement) {
+        fate[i] = static_cast<std::int32_t>(judgement.fate);
+        front[i] = judgement.front;
+        x_first[i] = judgement.x.first;
+        x_last[i] = judgement.x.last;
+        y_first[i] = judgement.y.first;
+        y_last[i] = judgement.y.last;
+    }
+    [[nodiscard]] Judgement at(int i) const {
+        return {Fate{fate[i]}, front[i] != 0, {x_first[i], x_last[i]}, {y_first[i], y_last[i]}};
+    }
+};
+
+int how_many(const std::int32_t* fate, int count, Fate wanted) {
+    return static_cast<int>(std::count(fate, fate + count, static_cast<std::int32_t>(wanted)));
+}
+
+void count_fates(const std::int32_t* fate, int count, TriangleCounts& counts) {
+    counts.drawn += how_many(fate, count, Fate::drawn);
+    counts.degenerate += how_many(fate, count, Fate::degenerate);
+    counts.culled += how_many(fate, count, Fate::culled);
+    counts.outside += how_many(fate, count, Fate::outside);
+}
+
+/// Fetch the corners of `count` triangles; `index` are their numbers in the instance. Not in a batch loop: gathering
+/// instructions are slower than plain loads.
+void fetch_corners(const ScreenVertex* screen, const std::uint32_t* index, int count, JudgeLanes& out) {
+    for (int i = 0; i < count; ++i) {
+        out.a.set(i, screen[index[3 * i]]);
+        out.b.set(i, screen[index[3 * i + 1]]);
+        out.c.set(i, screen[index[3 * i + 2]]);
+    }
+}
+
+KREDA_BATCH_LOOP void judge_triangles(int count, const Frame& frame, JudgeLanes& out) {
+    const CullMode cull = frame.cull;
+    const Viewport viewport = frame.viewport;
+    const int lanes = lanes_for(count);
+    for (int i = 0; i < lanes; ++i) out.set(i, judge(out.a.at(i), out.b.at(i), out.c.at(i), cull, viewport));
+    if (how_many(out.fate, count, Fate::drawn) == 0) return;  // neighbours often face away together
+    for (int i = 0; i < lanes; ++i) {
+        out.fate[i] = static_cast<std::int32_t>(look_closer(out.a.at(i), out.b.at(i), out.c.at(i), out.at(i)));
+    }
+}
+
+/// Put a triangle aside that the clipper leaves something of.
+void clip_later(const MeshInstance& instance, const Frame& frame, const std::uint32_t* index,
+                const ScreenTriangle& triangle, std::uint32_t place, TriangleCounts& counts,
+                std::vector<PendingClip>& pending) {
+    bool finite = true;
+    const ClipPolygon polygon = clip_again(instance, frame, index, finite);
+    counts.non_finite += !finite;
+    counts.outside += finite && polygon.count == 0;
+    if (polygon.count > 0) pending.push_back({place, triangle, polygon});
+}
+
+/// List the triangles of one chunk that will be drawn; those that need clipping are put aside in `pending`.
+void list_triangles(const ChunkTask& task, const MeshInstance& instance, const Frame& frame, const TileGrid& grid,
+                    const VertexStreams& streams, DrawList& list, TriangleCounts& counts,
+                    std::vector<PendingClip>& pending) {
     list.count = 0;
     list.make_room(kTrianglesPerChunk + 1);
     const std::uint32_t* index = &instance.mesh->indices[3 * std::size_t{task.first_triangle}];
-    for (std::uint32_t i = 0; i < task.triangle_count; ++i, index += 3) {
-        ScreenTriangle& triangle = candidate(list);
-        triangle.source = task.first_source + task.first_triangle + i;
-        triangle.material = instance.part_material[task.part];
-        bool needs_clip = false;
-        for (int corner = 0; corner < 3; ++corner) {
-            triangle.vertex[corner] = instance.first_vertex + index[corner];
-            needs_clip |= streams.screen[triangle.vertex[corner]].x == kNeedsClip;
+    JudgeLanes lanes;
+    ScreenTriangle triangle;
+    triangle.material = instance.part_material[task.part];
+    for (std::uint32_t first = 0; first < task.triangle_count; first += kScreenLanes, index += 3 * kScreenLanes) {
+        const int count = static_cast<int>(std::min<std::uint32_t>(task.triangle_count - first, kScreenLanes));
+        fetch_corners(&streams.screen[instance.first_vertex], index, count, lanes);
+        judge_triangles(count, frame, lanes);
+        count_fates(lanes.fate, count, counts);
+        for (int i = 0; i < count; ++i) {
+            const Judgement judgement = lanes.at(i);
+            triangle.source = task.first_source + task.first_triangle + first + static_cast<std::uint32_t>(i);
+            for (int k = 0; k < 3; ++k) triangle.vertex[k] = instance.first_vertex + index[3 * i + k];
+            append(triangle, judgement.front, tiles_of(grid, judgement.x, judgement.y), judgement.fate == Fate::drawn,
+                   list);
+            if (judgement.fate == Fate::needs_clip) {
+                clip_later(instance, frame, index + 3 * i, triangle, list.count, counts, pending);
+            }
         }
-        if (!needs_clip) {
-            draw_or_count(streams, frame, grid, list, chunk.counts);
-            continue;
-        }
-        bool finite = true;
-        const ClipPolygon polygon = clip_again(instance, frame, index, finite);
-        chunk.counts.non_finite += !finite;
-        chunk.counts.outside += finite && polygon.count == 0;
-        if (polygon.count > 0) pending.push_back({list.count, triangle, polygon});
     }
-    assign(list, chunk);
 }
 
 /// Weighted sum of an attribute at a triangle's corners, appended to its stream if that is in use.
@@ -205,39 +226,46 @@ void draw_fan(const PendingClip& clip, const Frame& frame, const TileGrid& grid,
     list.make_room(static_cast<std::uint32_t>(count) + 1);
     for (int i = 1; i + 1 < count; ++i) {
         const auto corner = [&](int k) { return first + static_cast<std::uint32_t>((apex + k) % count); };
-        ScreenTriangle& piece = candidate(list);
-        piece = clip.triangle;
+        ScreenTriangle piece = clip.triangle;
         piece.vertex = {corner(0), corner(i), corner(i + 1)};
-        draw_or_count(streams, frame, grid, list, counts);
+        const ScreenPoint a = point_of(streams.screen[piece.vertex[0]]);
+        const ScreenPoint b = point_of(streams.screen[piece.vertex[1]]);
+        const ScreenPoint c = point_of(streams.screen[piece.vertex[2]]);
+        const Judgement judgement = judge(a, b, c, frame.cull, frame.viewport);
+        const Fate fate = look_closer(a, b, c, judgement);
+        const auto number = static_cast<std::int32_t>(fate);
+        count_fates(&number, 1, counts);
+        append(piece, judgement.front, tiles_of(grid, judgement.x, judgement.y), fate == Fate::drawn, list);
     }
     ++counts.clipped;
 }
 
-/// Draw the clipped triangles of a chunk, each at its place in the drawing order.
-void draw_clipped(const std::vector<PendingClip>& pending, const Frame& frame, const TileGrid& grid,
-                  VertexStreams& streams, TriangleChunk& chunk) {
+/// List the clipped triangles of a chunk, too, each at its place in the drawing order.
+DrawList with_clipped(const DrawList& list, const std::vector<PendingClip>& pending, const Frame& frame,
+                      const TileGrid& grid, VertexStreams& streams, TriangleCounts& counts) {
     DrawList merged;
     std::uint32_t copied = 0;
     const auto copy_until = [&](std::uint32_t place) {
         merged.make_room(place - copied);
         for (; copied < place; ++copied, ++merged.count) {
-            merged.triangles[merged.count] = chunk.triangles[copied];
-            merged.tiles[merged.count] = chunk.tile_range[copied];
+            merged.triangles[merged.count] = list.triangles[copied];
+            merged.tiles[merged.count] = list.tiles[copied];
         }
     };
     for (const PendingClip& clip : pending) {
         copy_until(clip.place);
-        draw_fan(clip, frame, grid, streams, merged, chunk.counts);
+        draw_fan(clip, frame, grid, streams, merged, counts);
     }
-    copy_until(static_cast<std::uint32_t>(chunk.triangles.size()));
-    assign(merged, chunk);
+    copy_until(list.count);
+    return merged;
 }
 
-/// Sort the chunk's triangles into tiles: count, then fill. The order within a tile stays the drawing order.
-void bin_chunk(const TileGrid& grid, TriangleChunk& chunk) {
+/// Keep the triangles and sort them into tiles: count, then fill. The order within a tile stays the drawing order.
+void fill_chunk(const DrawList& list, const TileGrid& grid, TriangleChunk& chunk) {
+    chunk.triangles.assign(list.triangles.begin(), list.triangles.begin() + list.count);
     const auto for_each_tile = [&](auto&& visit) {
-        for (std::size_t t = 0; t < chunk.tile_range.size(); ++t) {
-            const TriangleChunk::TileRange range = chunk.tile_range[t];
+        for (std::uint32_t t = 0; t < list.count; ++t) {
+            const TileRange range = list.tiles[t];
             for (int y = range.y0; y <= range.y1; ++y) {
                 for (int x = range.x0; x <= range.x1; ++x) visit(y * grid.columns + x, t);
             }
@@ -245,13 +273,26 @@ void bin_chunk(const TileGrid& grid, TriangleChunk& chunk) {
     };
     std::vector<std::uint32_t>& begin = chunk.tile_begin;
     begin.assign(static_cast<std::size_t>(grid.columns) * grid.rows + 1, 0);
-    for_each_tile([&](int tile, std::size_t) { ++begin[tile + 1]; });
+    for_each_tile([&](int tile, std::uint32_t) { ++begin[tile + 1]; });
     for (std::size_t tile = 1; tile < begin.size(); ++tile) begin[tile] += begin[tile - 1];
     chunk.tile_entries.resize(begin.back());
     // While filling, begin[t] runs to the end of tile t; shifting by one tile afterwards restores the beginnings.
-    for_each_tile([&](int tile, std::size_t t) { chunk.tile_entries[begin[tile]++] = static_cast<std::uint16_t>(t); });
+    for_each_tile([&](int tile, std::uint32_t t) { chunk.tile_entries[begin[tile]++] = static_cast<std::uint16_t>(t); });
     for (std::size_t tile = begin.size() - 1; tile > 0; --tile) begin[tile] = begin[tile - 1];
     begin[0] = 0;
+}
+
+/// A chunk that waits for the clipper.
+struct WaitingChunk {
+    std::vector<PendingClip> clips;  ///< empty: it does not wait
+    DrawList list;
+};
+
+void start_chunk(const ChunkTask& task, TriangleChunk& chunk) {
+    chunk.counts = {};
+    chunk.counts.input = task.triangle_count;
+    chunk.instance = task.instance;
+    chunk.first_source = task.first_source;
 }
 
 /// Cut all visible parts of all instances into chunks.
@@ -321,23 +362,31 @@ TriangleCounts setup_triangles(const std::vector<MeshInstance>& instances, const
     const int chunk_count = static_cast<int>(tasks.size());
     set.grid = make_tile_grid(viewport, samples);
     set.chunks.resize(tasks.size());
-    std::vector<std::vector<PendingClip>> pending(tasks.size());
+    std::vector<WaitingChunk> waiting(tasks.size());
 #pragma omp parallel if (chunk_count > 1)
     {
         DrawList list;
 #pragma omp for schedule(dynamic)
         for (int i = 0; i < chunk_count; ++i) {
-            setup_chunk(tasks[i], instances[tasks[i].instance], frame_of(tasks[i]), set.grid, streams, list,
-                        set.chunks[i], pending[i]);
+            TriangleChunk& chunk = set.chunks[i];
+            start_chunk(tasks[i], chunk);
+            list_triangles(tasks[i], instances[tasks[i].instance], frame_of(tasks[i]), set.grid, streams, list,
+                           chunk.counts, waiting[i].clips);
+            if (waiting[i].clips.empty()) fill_chunk(list, set.grid, chunk);
+            else waiting[i].list = list;
         }
     }
     // Clipped triangles append vertices to the streams: one thread, in order, so that their numbers never change.
     for (int i = 0; i < chunk_count; ++i) {
-        if (!pending[i].empty()) draw_clipped(pending[i], frame_of(tasks[i]), set.grid, streams, set.chunks[i]);
+        if (waiting[i].clips.empty()) continue;
+        waiting[i].list = with_clipped(waiting[i].list, waiting[i].clips, frame_of(tasks[i]), set.grid, streams,
+                                       set.chunks[i].counts);
+    }
+#pragma omp parallel for schedule(dynamic) if (chunk_count > 1)
+    for (int i = 0; i < chunk_count; ++i) {
+        if (!waiting[i].clips.empty()) fill_chunk(waiting[i].list, set.grid, set.chunks[i]);
     }
     TriangleCounts sum;
-#pragma omp parallel for schedule(dynamic) if (chunk_count > 1)
-    for (int i = 0; i < chunk_count; ++i) bin_chunk(set.grid, set.chunks[i]);
     for (const TriangleChunk& chunk : set.chunks) add(sum, chunk.counts);
     return sum;
 }

@@ -5,14 +5,13 @@
 #include <cstdint>
 #include <vector>
 
+#include "raster/judge_triangle.hpp"
 #include "raster/vertex_stage.hpp"
 
 namespace kreda::raster {
 
 /// The screen is worked on in square tiles that fit into the processor's first cache.
 inline constexpr int kTileSide = 64;
-
-enum class CullMode { back, front, none };
 
 /// A triangle on the screen: three vertices in the streams, clockwise with y down, so that its area is positive.
 struct ScreenTriangle {
@@ -46,9 +45,6 @@ struct TriangleChunk {
     TriangleCounts counts;
     std::uint32_t instance = 0;                 ///< all triangles of a chunk belong to one mesh instance
     std::uint32_t first_source = 0;             ///< number of that instance's first triangle over all instances
-
-    struct TileRange { std::uint16_t x0, y0, x1, y1; };
-    std::vector<TileRange> tile_range;          ///< of each triangle, inclusive (needed while binning)
 };
 
 /// The frame's grid of tiles over the sample grid.

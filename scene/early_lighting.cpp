@@ -55,7 +55,7 @@ void light_range(const Frame& frame, std::uint32_t material, std::uint32_t first
     raster::VertexStreams& streams = frame.buffers.streams;
     for_each_batch(total, [&](int begin, int count, LightingScratch& scratch) {
         const std::uint32_t from = first + static_cast<std::uint32_t>(begin);
-        set_vertex_points(streams, from, count, scratch.points);
+        set_vertex_points(frame, from, count, scratch.points);
         shade_points(frame, scratch.points, material, scratch.channels);
         for (int i = 0; i < count; ++i) streams.color[from + i] = scratch.channels.radiance.at(i);
     });
@@ -99,11 +99,11 @@ void set_tangent(const glm::vec4& tangent, int i, raster::Fragments& points) {
 
 }  // namespace
 
-void set_vertex_points(const raster::VertexStreams& streams, std::uint32_t first, int count,
-                       raster::Fragments& points) {
+void set_vertex_points(const Frame& frame, std::uint32_t first, int count, raster::Fragments& points) {
+    const raster::VertexStreams& streams = frame.buffers.streams;
     copy_points(&streams.position_world[first], count, points.position);
     copy_points(&streams.normal_world[first], count, points.normal);
-    copy_points(&streams.normal_world[first], count, points.face_normal);
+    if (!frame.plan.shadows.empty()) copy_points(&streams.normal_world[first], count, points.face_normal);
     for (int i = 0; i < count && !streams.uv.empty(); ++i) {
         set_uv(streams.uv[first + static_cast<std::uint32_t>(i)], glm::vec2(0.0f), glm::vec2(0.0f), i, points);
     }

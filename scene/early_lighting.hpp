@@ -17,7 +17,7 @@ void light_triangles(const Frame& frame);
 
 /// Vertices of the streams, from `first` on, as points 0 .. count-1 of a batch that is lit. Maps are read there, at
 /// level 0: a vertex has no neighbour that would say how far the texture is stretched.
-void set_vertex_points(const raster::VertexStreams& streams, std::uint32_t first, int count, raster::Fragments& points);
+void set_vertex_points(const Frame& frame, std::uint32_t first, int count, raster::Fragments& points);
 
 /// Centroid and normal of a triangle of the scene in world space, before any clipping, as point i of a batch.
 /// Maps are read at the centroid's uv; the steps of uv are half of two edges, so that the level is that of a sample as

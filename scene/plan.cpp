@@ -116,11 +116,10 @@ void plan_vertices(const Scene& scene, const Sizes& sizes, RenderPlan& plan) {
 }
 
 void plan_triangles(const Sizes& sizes, RenderPlan& plan) {
-    const std::uint64_t bytes =
-        sizes.triangles * (sizeof(raster::ScreenTriangle) + sizeof(raster::TriangleChunk::TileRange));
+    const std::uint64_t bytes = sizes.triangles * (sizeof(raster::ScreenTriangle) + sizeof(std::uint16_t));
     plan.passes.push_back({"triangles",
                            "cull, clip and sort " + std::to_string(sizes.triangles) + " triangles into tiles",
-                           {{"triangles and bins, at most", bytes + 2 * sizes.triangles}}});
+                           {{"triangles and bins, at most", bytes}}});
     if (plan.frequency == ShadingFrequency::flat) {
         plan.passes.push_back({"light triangles",
                                "shading.frequency = \"flat\": once a triangle, at its centroid",

@@ -81,7 +81,7 @@ void explain_corners(const SampleFacts& sample, Derivation& derivation) {
     const std::uint32_t first = frame.buffers.instances[source.object].first_vertex;
     for (std::size_t i = 0; i < 3; ++i) {
         const auto points = batch_of_one();
-        scene::set_vertex_points(frame.buffers.streams, first + source.vertex[i], 1, *points);
+        scene::set_vertex_points(frame, first + source.vertex[i], 1, *points);
         const std::string number = std::to_string(i);
         explain_lighting(
             {frame, *points, sample.seen().triangle.material, "corner " + number + ": ", "corner_" + number + "_"},
