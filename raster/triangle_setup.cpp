@@ -108,6 +108,7 @@ struct JudgeLanes {
     PointLanes a, b, c;
     std::int32_t fate[kScreenLanes], front[kScreenLanes];
     std::int32_t x_first[kScreenLanes], x_last[kScreenLanes], y_first[kScreenLanes], y_last[kScreenLanes];
+    std::uint16_t x0[kScreenLanes], y0[kScreenLanes], x1[kScreenLanes], y1[kScreenLanes];  ///< tiles
 
     void set(int i, const Judgement& judgement) {
         fate[i] = static_cast<std::int32_t>(judgement.fate);
@@ -116,6 +117,15 @@ struct JudgeLanes {
         x_last[i] = judgement.x.last;
         y_first[i] = judgement.y.first;
         y_last[i] = judgement.y.last;
+    }
+    void set_tiles(int i, const TileRange& tiles) {
+        x0[i] = tiles.x0;
+        y0[i] = tiles.y0;
+        x1[i] = tiles.x1;
+        y1[i] = tiles.y1;
+    }
+    [[nodiscard]] TileRange tiles_at(int i) const {
+        return {x0[i], y0[i], x1[i], y1[i]};
     }
     [[nodiscard]] Judgement at(int i) const {
         return {Fate{fate[i]}, front[i] != 0, {x_first[i], x_last[i]}, {y_first[i], y_last[i]}};
@@ -143,15 +153,20 @@ void fetch_corners(const ScreenVertex* screen, const std::uint32_t* index, int c
     }
 }
 
-KREDA_BATCH_LOOP void judge_triangles(int count, const Frame& frame, JudgeLanes& out) {
+/// Judge the triangles. Returns false if none of them is drawn or needs clipping: neighbours often face away together.
+KREDA_BATCH_LOOP bool judge_triangles(int count, const Frame& frame, const TileGrid& tile_grid, JudgeLanes& out) {
     const CullMode cull = frame.cull;
     const Viewport viewport = frame.viewport;
     const int lanes = lanes_for(count);
     for (int i = 0; i < lanes; ++i) out.set(i, judge(out.a.at(i), out.b.at(i), out.c.at(i), cull, viewport));
-    if (how_many(out.fate, count, Fate::drawn) == 0) return;  // neighbours often face away together
+    if (how_many(out.fate, count, Fate::drawn) == 0) return how_many(out.fate, count, Fate::needs_clip) > 0;
+    const TileGrid grid = tile_grid;
     for (int i = 0; i < lanes; ++i) {
-        out.fate[i] = static_cast<std::int32_t>(look_closer(out.a.at(i), out.b.at(i), out.c.at(i), out.at(i)));
+        const Judgement judgement = out.at(i);
+        out.fate[i] = static_cast<std::int32_t>(look_closer(out.a.at(i), out.b.at(i), out.c.at(i), judgement));
+        out.set_tiles(i, tiles_of(grid, judgement.x, judgement.y));
     }
+    return true;
 }
 
 /// Put a triangle aside that the clipper leaves something of.
@@ -178,15 +193,14 @@ void list_triangles(const ChunkTask& task, const MeshInstance& instance, const F
     for (std::uint32_t first = 0; first < task.triangle_count; first += kScreenLanes, index += 3 * kScreenLanes) {
         const int count = static_cast<int>(std::min<std::uint32_t>(task.triangle_count - first, kScreenLanes));
         fetch_corners(&streams.screen[instance.first_vertex], index, count, lanes);
-        judge_triangles(count, frame, lanes);
+        const bool any = judge_triangles(count, frame, grid, lanes);
         count_fates(lanes.fate, count, counts);
-        for (int i = 0; i < count; ++i) {
-            const Judgement judgement = lanes.at(i);
+        for (int i = 0; any && i < count; ++i) {
+            const Fate fate{lanes.fate[i]};
             triangle.source = task.first_source + task.first_triangle + first + static_cast<std::uint32_t>(i);
             for (int k = 0; k < 3; ++k) triangle.vertex[k] = instance.first_vertex + index[3 * i + k];
-            append(triangle, judgement.front, tiles_of(grid, judgement.x, judgement.y), judgement.fate == Fate::drawn,
-                   list);
-            if (judgement.fate == Fate::needs_clip) {
+            append(triangle, lanes.front[i] != 0, lanes.tiles_at(i), fate == Fate::drawn, list);
+            if (fate == Fate::needs_clip) {
                 clip_later(instance, frame, index + 3 * i, triangle, list.count, counts, pending);
             }
         }
