@@ -232,6 +232,7 @@ inline void interpolate_run(const BatchTask& task, const Run& run, Fragments& ou
 struct PointLanes {
     ScreenLanes a, b, c;
     std::int32_t x[kScreenLanes] = {}, y[kScreenLanes] = {};
+    std::array<std::uint32_t, 3> corners[kScreenLanes];  ///< of each run's triangle
 };
 
 inline void weigh_points(const PointLanes& points, int lanes, WeightRow& row) {
@@ -247,6 +248,7 @@ inline int fetch_short_runs(const BatchTask& task, const Run* runs, int run_coun
     int r = 0;
     for (; r < run_count && runs[r].count <= kShortRun && samples + kShortRun <= kScreenLanes; ++r) {
         const std::array<std::uint32_t, 3> v = task.set.triangle(runs[r].triangle).vertex;
+        points.corners[r] = v;
         const ScreenVertex a = corner_of(task, v[0]), b = corner_of(task, v[1]), c = corner_of(task, v[2]);
         for (int i = 0; i < runs[r].count; ++i, ++samples) {
             points.a.set(samples, a);
@@ -268,7 +270,7 @@ inline int interpolate_short_runs(const BatchTask& task, const Run* runs, int ru
     weigh_points(points, lanes_for(samples), row);
     int done = 0;
     for (int r = 0; r < taken; ++r) {
-        blend_run(task.in, task.set.triangle(runs[r].triangle).vertex, {row, done}, kShortRun, out, first + done);
+        blend_run(task.in, points.corners[r], {row, done}, kShortRun, out, first + done);
         done += runs[r].count;
     }
     return taken;

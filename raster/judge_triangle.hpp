@@ -20,7 +20,8 @@ struct SampleRange {
 };
 
 inline SampleRange samples_between(std::int32_t min, std::int32_t max) {
-    return {(min + kPixelCentre - 1) >> kSubpixelBits, (max - kPixelCentre) >> kSubpixelBits};
+    const auto below_max = static_cast<std::uint32_t>(max) - kPixelCentre;  // kNeedsClip wraps around
+    return {(min + kPixelCentre - 1) >> kSubpixelBits, static_cast<std::int32_t>(below_max) >> kSubpixelBits};
 }
 
 /// The samples of a range that an image of `side` samples has.
@@ -85,9 +86,9 @@ inline bool fits_block(const ScreenPoint& a, const ScreenPoint& b, const ScreenP
 inline Fate look_closer(const ScreenPoint& a, const ScreenPoint& b, const ScreenPoint& c, const Judgement& judgement) {
     const bool small = (judgement.fate == Fate::drawn) & fits_block(a, b, c);
     const std::int32_t keep = -static_cast<std::int32_t>(small);  // a mask: with ?: GCC makes it a branch
-    const std::int32_t p_x = judgement.x.first * kSubpixels + kPixelCentre;
-    const std::int32_t p_y = judgement.y.first * kSubpixels + kPixelCentre;
-    const auto near = [&](std::int32_t x, std::int32_t y) { return ScreenPoint{(x - p_x) & keep, (y - p_y) & keep}; };
+    const std::int32_t p_x = (judgement.x.first * kSubpixels + kPixelCentre) & keep;
+    const std::int32_t p_y = (judgement.y.first * kSubpixels + kPixelCentre) & keep;
+    const auto near = [&](std::int32_t x, std::int32_t y) { return ScreenPoint{(x & keep) - p_x, (y & keep) - p_y}; };
     const bool front = judgement.front;
     const bool covers = covers_block(near(a.x, a.y), near(front ? c.x : b.x, front ? c.y : b.y),
                                      near(front ? b.x : c.x, front ? b.y : c.y));

@@ -64,12 +64,13 @@ inline bool misses_box(const TileTriangle& t) {
     return (most(t.edges.ab) | most(t.edges.bc) | most(t.edges.ca)) < 0;
 }
 
-/// The samples that a triangle covers of the block that begins with its box. kLargerThanBlock: it may cover others, too.
+/// The samples that a triangle covers of the block that begins with its box. kLargerThanBlock: it may cover others,
+/// too.
 inline std::uint32_t covered_samples(const TileTriangle& t) {
     const std::int32_t columns = t.box.x_end - t.box.x_first, rows = t.box.y_last - t.box.y_first + 1;
     const std::uint32_t covered = covered_in_block(t.edges, t.box.x_first, t.box.y_first);
-    const std::uint32_t in_columns = 0x1111u | (columns > 1 ? 0x2222u : 0u) | (columns > 2 ? 0x4444u : 0u) |
-                                     (columns > 3 ? 0x8888u : 0u);
+    const std::uint32_t in_columns =
+        0x1111u | (columns > 1 ? 0x2222u : 0u) | (columns > 2 ? 0x4444u : 0u) | (columns > 3 ? 0x8888u : 0u);
     const std::uint32_t in_rows =
         0x000fu | (rows > 1 ? 0x00f0u : 0u) | (rows > 2 ? 0x0f00u : 0u) | (rows > 3 ? 0xf000u : 0u);
     const bool larger = (columns > kBlockSide) | (rows > kBlockSide);
@@ -80,7 +81,8 @@ inline std::uint32_t covered_samples(const TileTriangle& t) {
 inline TileTriangle tile_triangle(const ScreenVertex& a, const ScreenVertex& b, const ScreenVertex& c,
                                   const TileArea& area) {
     return {{tile_edge(a, b, area), tile_edge(b, c, area), tile_edge(c, a, area)},
-            depth_plane(a, b, c, edge_function<double>(a.x, a.y, b.x, b.y, c.x, c.y)), tile_box(a, b, c, area)};
+            depth_plane(a, b, c, edge_function<double>(a.x, a.y, b.x, b.y, c.x, c.y)),
+            tile_box(a, b, c, area)};
 }
 
 /// Triangles that are prepared side by side, and what comes out: one array a number, a lane a triangle.
@@ -175,8 +177,7 @@ inline void draw_rows(const TileTriangle& t, std::uint32_t id, const TileArea& a
             float* depth = &tile.depth[y * kTileSide + x];
             std::uint32_t* triangle = &tile.triangle[y * kTileSide + x];
             for (int i = 0; i < kLanes; ++i) {
-                const std::int32_t inside =
-                    (e_ab + ab.step_x * i) | (e_bc + bc.step_x * i) | (e_ca + ca.step_x * i);
+                const std::int32_t inside = (e_ab + ab.step_x * i) | (e_bc + bc.step_x * i) | (e_ca + ca.step_x * i);
                 const float z = depth_at(t.depth, row_depth, area.x + x + i);
                 const bool visible = (inside >= 0) & (z < depth[i]);
                 depth[i] = visible ? z : depth[i];
@@ -196,8 +197,10 @@ KREDA_BATCH_LOOP void draw_chunk_in_tile(const ScreenVertex* screen, const Trian
         fetch_corners(screen, chunk, entry, count, first_id, setup);
         prepare_triangles(area, lanes_for(count), setup);
         for (int i = 0; i < count; ++i) {
-            if (setup.covered[i] != kLargerThanBlock) draw_block(setup, i, area, tile);
-            else draw_rows(setup.at(i), setup.id[i], area, tile);
+            if (setup.covered[i] != kLargerThanBlock)
+                draw_block(setup, i, area, tile);
+            else
+                draw_rows(setup.at(i), setup.id[i], area, tile);
         }
     }
 }

@@ -5,9 +5,8 @@
 #include <glm/matrix.hpp>
 
 #include "raster/clip.hpp"
-#include "raster/platform.hpp"
+#include "raster/judge_lanes.hpp"
 #include "raster/scalar_math.hpp"
-#include "raster/screen_lanes.hpp"
 
 namespace kreda::raster {
 
@@ -43,11 +42,6 @@ CullMode cull_mode_for(CullMode cull, const glm::mat4& world_from_object) {
     return cull == CullMode::front ? CullMode::back : cull;
 }
 
-/// The tiles that a triangle's samples may lie in, inclusive.
-struct TileRange {
-    std::uint16_t x0, y0, x1, y1;
-};
-
 /// Triangles that will be drawn, with the tiles that they touch; there is room for more behind the last.
 struct DrawList {
     std::vector<ScreenTriangle> triangles;
@@ -60,10 +54,6 @@ struct DrawList {
         tiles.resize(count + more);
     }
 };
-
-TileRange tiles_of(const TileGrid& grid, const SampleRange& x, const SampleRange& y) {
-    return {grid.tile_of(x.first), grid.tile_of(y.first), grid.tile_of(x.last), grid.tile_of(y.last)};
-}
 
 /// Write a triangle, clockwise, behind the last; it stays only if it is to be drawn.
 void append(const ScreenTriangle& triangle, bool front, const TileRange& tiles, bool drawn, DrawList& list) {
@@ -90,83 +80,11 @@ ClipPolygon clip_again(const MeshInstance& instance, const Frame& frame, const s
                          guard_band_ndc(frame.viewport.height));
 }
 
-/// One corner of triangles that are judged side by side.
-struct PointLanes {
-    alignas(64) std::int32_t x[kScreenLanes], y[kScreenLanes];
-
-    void set(int i, const ScreenVertex& v) {
-        x[i] = v.x;
-        y[i] = v.y;
-    }
-    [[nodiscard]] ScreenPoint at(int i) const {
-        return {x[i], y[i]};
-    }
-};
-
-/// Triangles that are judged side by side, a lane a triangle, and the judgements.
-struct JudgeLanes {
-    PointLanes a, b, c;
-    std::int32_t fate[kScreenLanes], front[kScreenLanes];
-    std::int32_t x_first[kScreenLanes], x_last[kScreenLanes], y_first[kScreenLanes], y_last[kScreenLanes];
-    std::uint16_t x0[kScreenLanes], y0[kScreenLanes], x1[kScreenLanes], y1[kScreenLanes];  ///< tiles
-
-    void set(int i, const Judgement& judgement) {
-        fate[i] = static_cast<std::int32_t>(judgement.fate);
-        front[i] = judgement.front;
-        x_first[i] = judgement.x.first;
-        x_last[i] = judgement.x.last;
-        y_first[i] = judgement.y.first;
-        y_last[i] = judgement.y.last;
-    }
-    void set_tiles(int i, const TileRange& tiles) {
-        x0[i] = tiles.x0;
-        y0[i] = tiles.y0;
-        x1[i] = tiles.x1;
-        y1[i] = tiles.y1;
-    }
-    [[nodiscard]] TileRange tiles_at(int i) const {
-        return {x0[i], y0[i], x1[i], y1[i]};
-    }
-    [[nodiscard]] Judgement at(int i) const {
-        return {Fate{fate[i]}, front[i] != 0, {x_first[i], x_last[i]}, {y_first[i], y_last[i]}};
-    }
-};
-
-int how_many(const std::int32_t* fate, int count, Fate wanted) {
-    return static_cast<int>(std::count(fate, fate + count, static_cast<std::int32_t>(wanted)));
-}
-
 void count_fates(const std::int32_t* fate, int count, TriangleCounts& counts) {
     counts.drawn += how_many(fate, count, Fate::drawn);
     counts.degenerate += how_many(fate, count, Fate::degenerate);
     counts.culled += how_many(fate, count, Fate::culled);
     counts.outside += how_many(fate, count, Fate::outside);
-}
-
-/// Fetch the corners of `count` triangles; `index` are their numbers in the instance. Not in a batch loop: gathering
-/// instructions are slower than plain loads.
-void fetch_corners(const ScreenVertex* screen, const std::uint32_t* index, int count, JudgeLanes& out) {
-    for (int i = 0; i < count; ++i) {
-        out.a.set(i, screen[index[3 * i]]);
-        out.b.set(i, screen[index[3 * i + 1]]);
-        out.c.set(i, screen[index[3 * i + 2]]);
-    }
-}
-
-/// Judge the triangles. Returns false if none of them is drawn or needs clipping: neighbours often face away together.
-KREDA_BATCH_LOOP bool judge_triangles(int count, const Frame& frame, const TileGrid& tile_grid, JudgeLanes& out) {
-    const CullMode cull = frame.cull;
-    const Viewport viewport = frame.viewport;
-    const int lanes = lanes_for(count);
-    for (int i = 0; i < lanes; ++i) out.set(i, judge(out.a.at(i), out.b.at(i), out.c.at(i), cull, viewport));
-    if (how_many(out.fate, count, Fate::drawn) == 0) return how_many(out.fate, count, Fate::needs_clip) > 0;
-    const TileGrid grid = tile_grid;
-    for (int i = 0; i < lanes; ++i) {
-        const Judgement judgement = out.at(i);
-        out.fate[i] = static_cast<std::int32_t>(look_closer(out.a.at(i), out.b.at(i), out.c.at(i), judgement));
-        out.set_tiles(i, tiles_of(grid, judgement.x, judgement.y));
-    }
-    return true;
 }
 
 /// Put a triangle aside that the clipper leaves something of.
@@ -193,7 +111,7 @@ void list_triangles(const ChunkTask& task, const MeshInstance& instance, const F
     for (std::uint32_t first = 0; first < task.triangle_count; first += kScreenLanes, index += 3 * kScreenLanes) {
         const int count = static_cast<int>(std::min<std::uint32_t>(task.triangle_count - first, kScreenLanes));
         fetch_corners(&streams.screen[instance.first_vertex], index, count, lanes);
-        const bool any = judge_triangles(count, frame, grid, lanes);
+        const bool any = judge_triangles(count, frame.cull, frame.viewport, grid, lanes);
         count_fates(lanes.fate, count, counts);
         for (int i = 0; any && i < count; ++i) {
             const Fate fate{lanes.fate[i]};
@@ -291,7 +209,8 @@ void fill_chunk(const DrawList& list, const TileGrid& grid, TriangleChunk& chunk
     for (std::size_t tile = 1; tile < begin.size(); ++tile) begin[tile] += begin[tile - 1];
     chunk.tile_entries.resize(begin.back());
     // While filling, begin[t] runs to the end of tile t; shifting by one tile afterwards restores the beginnings.
-    for_each_tile([&](int tile, std::uint32_t t) { chunk.tile_entries[begin[tile]++] = static_cast<std::uint16_t>(t); });
+    for_each_tile(
+        [&](int tile, std::uint32_t t) { chunk.tile_entries[begin[tile]++] = static_cast<std::uint16_t>(t); });
     for (std::size_t tile = begin.size() - 1; tile > 0; --tile) begin[tile] = begin[tile - 1];
     begin[0] = 0;
 }
@@ -356,16 +275,6 @@ int fan_apex(const ScreenVertex* corner, int count) {
     return 0;
 }
 
-TileGrid make_tile_grid(const Viewport& viewport, int samples) {
-    TileGrid grid;
-    grid.tile_side = kTileSide / samples * samples;
-    const std::uint32_t side = static_cast<std::uint32_t>(grid.tile_side);
-    grid.reciprocal = ((1u << 20) + side - 1) / side;
-    grid.columns = (viewport.width + grid.tile_side - 1) / grid.tile_side;
-    grid.rows = (viewport.height + grid.tile_side - 1) / grid.tile_side;
-    return grid;
-}
-
 TriangleCounts setup_triangles(const std::vector<MeshInstance>& instances, const glm::mat4& clip_from_world,
                                const Viewport& viewport, CullMode cull, int samples, VertexStreams& streams,
                                TriangleSet& set) {
@@ -386,8 +295,10 @@ TriangleCounts setup_triangles(const std::vector<MeshInstance>& instances, const
             start_chunk(tasks[i], chunk);
             list_triangles(tasks[i], instances[tasks[i].instance], frame_of(tasks[i]), set.grid, streams, list,
                            chunk.counts, waiting[i].clips);
-            if (waiting[i].clips.empty()) fill_chunk(list, set.grid, chunk);
-            else waiting[i].list = list;
+            if (waiting[i].clips.empty())
+                fill_chunk(list, set.grid, chunk);
+            else
+                waiting[i].list = list;
         }
     }
     // Clipped triangles append vertices to the streams: one thread, in order, so that their numbers never change.

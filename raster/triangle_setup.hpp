@@ -6,12 +6,10 @@
 #include <vector>
 
 #include "raster/judge_triangle.hpp"
+#include "raster/tile_grid.hpp"
 #include "raster/vertex_stage.hpp"
 
 namespace kreda::raster {
-
-/// The screen is worked on in square tiles that fit into the processor's first cache.
-inline constexpr int kTileSide = 64;
 
 /// A triangle on the screen: three vertices in the streams, clockwise with y down, so that its area is positive.
 struct ScreenTriangle {
@@ -46,23 +44,6 @@ struct TriangleChunk {
     std::uint32_t instance = 0;                 ///< all triangles of a chunk belong to one mesh instance
     std::uint32_t first_source = 0;             ///< number of that instance's first triangle over all instances
 };
-
-/// The frame's grid of tiles over the sample grid.
-struct TileGrid {
-    int tile_side = kTileSide;  ///< samples a side, at most kTileSide
-    int columns = 0;
-    int rows = 0;
-
-    /// sample / tile_side without a division: exact for 0 <= sample < kMaxImageSide, because the error of the
-    /// reciprocal, sample / 2^20 < 1/64, never reaches the next tile.
-    [[nodiscard]] std::uint16_t tile_of(std::int32_t sample) const {
-        return static_cast<std::uint16_t>(static_cast<std::uint32_t>(sample) * reciprocal >> 20);
-    }
-    std::uint32_t reciprocal = (1u << 20) / kTileSide;  ///< 2^20 / tile_side, rounded up
-};
-
-/// Tiles whose side is a multiple of `samples`, so that a pixel's samples never lie in two tiles.
-[[nodiscard]] TileGrid make_tile_grid(const Viewport& viewport, int samples);
 
 /// All triangles of a frame. Reused from frame to frame, so that memory is asked for once.
 struct TriangleSet {
