@@ -154,11 +154,25 @@ CubeMap prefilter(const CubeMap& radiance, const PrefilterSettings& settings, co
 }
 
 glm::vec3 prefiltered_radiance(const CubeMap& radiance, const glm::vec3& n, float alpha, int samples) {
+    return prefiltered_radiance(radiance, std::vector<glm::vec3>{n}, alpha, samples).front();
+}
+
+std::vector<glm::vec3> prefiltered_radiance(const CubeMap& radiance, const std::vector<glm::vec3>& n, float alpha,
+                                            int samples) {
     const auto scratch = std::make_unique<PrefilterScratch>();
-    const int lanes = raster::lanes_for(1);
-    for (int i = 0; i < lanes; ++i) scratch->n.set(i, glm::normalize(n));
-    filter_batch(radiance, lobe_samples(alpha, samples, radiance.levels[0].size), lanes, *scratch);
-    return scratch->sum.at(0);
+    const std::vector<LobeSample> lobe = lobe_samples(alpha, samples, radiance.levels[0].size);
+    const int total = static_cast<int>(n.size());
+    std::vector<glm::vec3> colors;
+    colors.reserve(n.size());
+    for (int first = 0; first < total; first += kChunk) {
+        const int count = std::min(kChunk, total - first), lanes = raster::lanes_for(count);
+        for (int i = 0; i < lanes; ++i) {
+            scratch->n.set(i, glm::normalize(n[static_cast<std::size_t>(first + std::min(i, count - 1))]));
+        }
+        filter_batch(radiance, lobe, lanes, *scratch);
+        for (int i = 0; i < count; ++i) colors.push_back(scratch->sum.at(i));
+    }
+    return colors;
 }
 
 }  // namespace kreda::lighting

@@ -43,7 +43,11 @@ struct PrefilterSettings {
 /// so that a small sun makes no fireflies. `radiance` must have all its mip levels.
 [[nodiscard]] CubeMap prefilter(const CubeMap& radiance, const PrefilterSettings& settings, const Progress& progress = {});
 
-/// One direction of one alpha, for laws and lessons.
+/// One direction of one alpha, for laws and lessons. From a map of a single level these are plain samples.
 [[nodiscard]] glm::vec3 prefiltered_radiance(const CubeMap& radiance, const glm::vec3& n, float alpha, int samples);
+
+/// The same for many directions of any length.
+[[nodiscard]] std::vector<glm::vec3> prefiltered_radiance(const CubeMap& radiance, const std::vector<glm::vec3>& n,
+                                                          float alpha, int samples);
 
 }  // namespace kreda::lighting

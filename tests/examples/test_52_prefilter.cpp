@@ -1,0 +1,136 @@
+// 52_prefilter: the lobe's integral in double over the sky, what a symmetric blur keeps, and the pictures of both ways
+// to sample.
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <vector>
+
+#include <doctest/doctest.h>
+#include <glm/geometric.hpp>
+
+#include "course.hpp"
+#include "lighting/environment_image.hpp"
+#include "lighting/prefilter.hpp"
+
+using namespace kreda;
+using namespace kreda::tests;
+using glm::dvec3;
+using std::numbers::pi;
+
+namespace {
+
+/// A direction, its solid angle, and the green light from there.
+struct Ray {
+    dvec3 l;
+    double w, L;
+};
+
+std::vector<Ray> rays_of_sunset() {
+    constexpr int kWidth = 512, kHeight = 256;
+    std::vector<Ray> rays;
+    for (int y = 0; y < kHeight; ++y) {
+        const double w = 2.0 * pi / kWidth * (std::cos(pi * y / kHeight) - std::cos(pi * (y + 1) / kHeight));
+        for (int x = 0; x < kWidth; ++x) {
+            const double azimuth = 2.0 * pi * (x + 0.5) / kWidth, polar = pi * (y + 0.5) / kHeight;
+            const dvec3 d(std::sin(polar) * std::cos(azimuth), std::cos(polar), std::sin(polar) * std::sin(azimuth));
+            rays.push_back({d, w, double{lighting::sunset_sky(glm::vec3(d)).y}});
+        }
+    }
+    return rays;
+}
+
+/// sum of L w D (n.l) / sum of w D (n.l),  D from n.h = sqrt((1 + n.l) / 2).        Walter et al. 2007 eq. (33)
+double lobe_average(const std::vector<Ray>& rays, const dvec3& n, double alpha) {
+    double sum = 0.0, total = 0.0;
+    for (const Ray& ray : rays) {
+        const double mu = glm::dot(n, ray.l);
+        if (mu <= 0.0) continue;
+        const double q = 0.5 * (1.0 + mu) * (alpha * alpha - 1.0) + 1.0;
+        const double weight = ray.w * mu / (q * q);
+        sum += weight * ray.L;
+        total += weight;
+    }
+    return sum / total;
+}
+
+std::vector<glm::vec3> even_directions(int count) {
+    std::vector<glm::vec3> directions;
+    for (int i = 0; i < count; ++i) {
+        const double y = 1.0 - (2.0 * i + 1.0) / count, ring = std::sqrt(1.0 - y * y),
+                     turn = pi * (3.0 - std::sqrt(5.0)) * i;
+        directions.emplace_back(ring * std::cos(turn), y, ring * std::sin(turn));
+    }
+    return directions;
+}
+
+doctest::Approx number(const std::string& key) {
+    return doctest::Approx(documented_number("52_prefilter", key));
+}
+
+double mean_difference(const raster::Image& a, const raster::Image& b) {
+    double sum = 0.0;
+    for (std::size_t i = 0; i < a.values.size(); ++i) sum += std::abs(double{a.values[i]} - double{b.values[i]});
+    return sum / static_cast<double>(a.values.size());
+}
+
+}  // namespace
+
+TEST_CASE("52_prefilter: the sample of the page worked by hand") {
+    const double alpha2 = 1.0 / 16.0, u = 1.0 / 64.0;  // sample 0 of 32
+    const double cos2 = (1.0 - u) / (1.0 + (alpha2 - 1.0) * u), q = cos2 * (alpha2 - 1.0) + 1.0;
+    const double p = 0.25 * alpha2 / (pi * q * q), share = 1.0 / (32.0 * p);
+    CHECK(2.0 * cos2 - 1.0 == number("n_dot_l").epsilon(1e-4));
+    CHECK(p == number("density").epsilon(1e-4));
+    CHECK(share == number("share").epsilon(1e-3));
+    CHECK(0.5 * std::log2(share / (4.0 * pi / (6.0 * 64.0 * 64.0))) == number("lod").epsilon(2e-3));
+}
+
+TEST_CASE("52_prefilter: the errors of the page are those against the integral in double") {
+    const std::vector<Ray> rays = rays_of_sunset();
+    const lighting::CubeMap sky = lighting::cube_from_sky(lighting::Sky::sunset, 64);
+    lighting::CubeMap plain = sky;
+    plain.levels.resize(1);
+    const std::vector<glm::vec3> normals = even_directions(200);
+    const std::vector<glm::vec3> from_mips = prefiltered_radiance(sky, normals, 0.25f, 256);
+    const std::vector<glm::vec3> alone = prefiltered_radiance(plain, normals, 0.25f, 256);
+    double light = 0.0, error_mips = 0.0, error_alone = 0.0;
+    for (std::size_t i = 0; i < normals.size(); ++i) {
+        const double want = lobe_average(rays, dvec3(normals[i]), 0.25);
+        light += want;
+        error_mips += std::abs(double{from_mips[i].y} - want);
+        error_alone += std::abs(double{alone[i].y} - want);
+    }
+    // 200 directions of green alone: the sun's lobe is met by a dozen of them.
+    CHECK(100.0 * error_mips / light == number("mips_256").epsilon(0.3));
+    CHECK(100.0 * error_alone / light == number("plain_256").epsilon(0.3));
+}
+
+TEST_CASE("52_prefilter: a blur moves light and makes none so every level has the mean of the sky") {
+    double mean = 0.0;
+    for (const Ray& ray : rays_of_sunset()) mean += ray.w * ray.L / (4.0 * pi);
+    const lighting::CubeMap map = prefilter(lighting::cube_from_sky(lighting::Sky::sunset, 64), {.samples = 512});
+    for (int level = 0; level <= map.last_level(); ++level) {
+        CAPTURE(level);
+        const int size = map.levels[static_cast<std::size_t>(level)].size;
+        double sum = 0.0;
+        for (int i = 0; i < lighting::kCubeFaces * size * size; ++i) {
+            const int face = i / (size * size), x = i % size, y = i / size % size;
+            sum += lighting::texel_solid_angle(size, x, y) * double{map.texel(level, face, x, y).y} / (4.0 * pi);
+        }
+        CHECK(sum == doctest::Approx(mean).epsilon(0.02));  // samples, and a sun of twelve texels
+    }
+}
+
+TEST_CASE("52_prefilter: in the picture samples from mips are near the integral and plain ones are not") {
+    const auto panel = [](int i) { return linear_panel("52_prefilter/fireflies.png", 3, 2, i); };
+    const auto above_caption = [&](int i) {
+        raster::Image image = panel(i);
+        for (int y = 54; y < image.height; ++y) {
+            for (int x = 0; x < image.width; ++x) image.set_rgb(x, y, glm::vec3(0.0f));
+        }
+        return image;
+    };
+    const raster::Image exact = above_caption(3);
+    CHECK(mean_difference(above_caption(1), exact) > 3.0 * mean_difference(above_caption(4), exact));  // 0.0119, 0.0037
+    CHECK(mean_difference(above_caption(2), exact) > 3.0 * mean_difference(above_caption(5), exact));  // 0.0027, 0.0007
+}
