@@ -62,8 +62,9 @@ KREDA_BATCH_LOOP void find_taps(int lanes, const CubeLevel& level, const raster:
     for (int i = 0; i < lanes; ++i) taps.set(i, cube_tap(cube_point(d.at(i)), size, offset, 1.0f));
 }
 
-KREDA_BATCH_LOOP void find_trilinear_taps(int lanes, const LevelTable& table, int last, const raster::Channel3& d,
+KREDA_BATCH_LOOP void find_trilinear_taps(int lanes, const LevelTable& levels, int last, const raster::Channel3& d,
                                           const raster::Channel& lod, TapChannels* taps) {
+    const LevelTable table = levels;  // a copy: through a reference the compiler fears that taps overwrite it
     const int last_level = last;
     TapChannels& finer = taps[0];
     TapChannels& coarser = taps[1];
@@ -72,6 +73,20 @@ KREDA_BATCH_LOOP void find_trilinear_taps(int lanes, const LevelTable& table, in
         const LodInterval between = lod_interval(lod.at(i), last_level);
         finer.set(i, cube_tap(point, table.size[between.level], table.offset[between.level], 1.0f - between.share));
         coarser.set(i, cube_tap(point, table.size[between.next], table.offset[between.next], between.share));
+    }
+}
+
+/// The same where all points have one lod.
+KREDA_BATCH_LOOP void find_taps_between(int lanes, const CubeLevel& finer_level, const CubeLevel& coarser_level,
+                                        float share_of_coarser, const raster::Channel3& d, TapChannels* taps) {
+    const CubeLevel at_finer = finer_level, at_coarser = coarser_level;
+    const float share = share_of_coarser;
+    TapChannels& finer = taps[0];
+    TapChannels& coarser = taps[1];
+    for (int i = 0; i < lanes; ++i) {
+        const CubePoint point = cube_point(d.at(i));
+        finer.set(i, cube_tap(point, at_finer.size, at_finer.offset, 1.0f - share));
+        coarser.set(i, cube_tap(point, at_coarser.size, at_coarser.offset, share));
     }
 }
 
@@ -167,6 +182,15 @@ void sample_level(const CubeMap& map, int level, int lanes, const raster::Channe
 void sample_trilinear(const CubeMap& map, int lanes, const raster::Channel3& directions, const raster::Channel& lod,
                       TapScratch& scratch, raster::Channel3& colors) {
     find_trilinear_taps(lanes, table_of(map), map.last_level(), directions, lod, scratch.taps);
+    read_taps(map.texels.data(), lanes, 2, scratch);
+    split_texels(lanes, scratch, colors);
+}
+
+void sample_trilinear(const CubeMap& map, int lanes, const raster::Channel3& directions, float lod, TapScratch& scratch,
+                      raster::Channel3& colors) {
+    const LodInterval between = lod_interval(lod, map.last_level());
+    find_taps_between(lanes, map.levels[static_cast<std::size_t>(between.level)],
+                      map.levels[static_cast<std::size_t>(between.next)], between.share, directions, scratch.taps);
     read_taps(map.texels.data(), lanes, 2, scratch);
     split_texels(lanes, scratch, colors);
 }

@@ -104,14 +104,26 @@ void find_irradiance(int lanes, const EnvironmentSetup& setup, LightingChannels&
     scale_channel(lanes, setup.intensity, e.irradiance);
 }
 
-void find_split_sum(int count, const CookTorranceSetup& surface, const EnvironmentSetup& setup, LightingChannels& c) {
+/// P along channels.environment.map_direction; without a map of the roughness one level serves all points.
+void find_prefiltered(int lanes, const MaterialSetup& material, const EnvironmentSetup& setup, EnvironmentChannels& e) {
+    const CubeMap& map = setup.maps->prefiltered;
+    if (material.maps.roughness.texture) {
+        sample_trilinear(map, lanes, e.map_direction, e.lod, e.scratch, e.prefiltered);
+    } else {
+        const float lod = level_of_alpha(material.cook_torrance.surface.alpha);
+        sample_trilinear(map, lanes, e.map_direction, lod, e.scratch, e.prefiltered);
+    }
+    scale_channel(lanes, setup.intensity, e.prefiltered);
+}
+
+void find_split_sum(int count, const MaterialSetup& material, const EnvironmentSetup& setup, LightingChannels& c) {
     const int lanes = lanes_for(count);
+    const CookTorranceSetup& surface = material.cook_torrance;
     EnvironmentChannels& e = c.environment;
     find_irradiance(lanes, setup, c);
     direct_to_mirror(lanes, c);
     turn_to_maps(lanes, setup, e.direction, e);
-    sample_trilinear(setup.maps->prefiltered, lanes, e.map_direction, e.lod, e.scratch, e.prefiltered);
-    scale_channel(lanes, setup.intensity, e.prefiltered);
+    find_prefiltered(lanes, material, setup, e);
     const BrdfMap* map = find_brdf(*setup.maps, {surface.distribution, surface.geometry});
     KREDA_EXPECT(map != nullptr);
     look_up_brdf(*map, lanes, c.microfacet.n_dot_v, c.microfacet.roughness, e.scratch, e.brdf);
@@ -240,7 +252,7 @@ void add_environment(const raster::Fragments& fragments, const MaterialSetup& ma
         case ReflectionModel::cook_torrance:
             if (!material.maps.ao.texture) fill_ao(lanes, material.material.cook_torrance.ao, channels.microfacet);
             if (exact) find_reference(count, material.cook_torrance, setup, channels);
-            else find_split_sum(count, material.cook_torrance, setup, channels);
+            else find_split_sum(count, material, setup, channels);
             break;
         default:
             if (exact) find_reference_irradiance(count, setup, channels);

@@ -11,7 +11,6 @@ namespace kreda::lighting {
 
 namespace {
 
-using raster::Channel;
 using raster::Channel3;
 
 /// A direction in the frame of n, the mip level to read, and the weight n.l.
@@ -38,17 +37,12 @@ std::vector<LobeSample> lobe_samples(float alpha, int count, int radiance_size) 
 
 struct PrefilterScratch {
     Channel3 n, l, color, sum;
-    Channel lod;
     TapScratch taps;
 };
 
-KREDA_BATCH_LOOP void place_sample(int lanes, const LobeSample& sample, PrefilterScratch& s) {
-    const glm::vec3 d = sample.l;
-    const float lod = sample.lod;
-    for (int i = 0; i < lanes; ++i) {
-        s.l.set(i, to_world(frame_around(s.n.at(i)), d));
-        s.lod.set(i, lod);
-    }
+KREDA_BATCH_LOOP void place_sample(int lanes, const glm::vec3& in_frame, PrefilterScratch& s) {
+    const glm::vec3 d = in_frame;
+    for (int i = 0; i < lanes; ++i) s.l.set(i, to_world(frame_around(s.n.at(i)), d));
 }
 
 KREDA_BATCH_LOOP void add_sample(int lanes, float weight, const Channel3& color, Channel3& sum) {
@@ -62,8 +56,8 @@ void filter_batch(const CubeMap& radiance, const std::vector<LobeSample>& sample
     for (const LobeSample& sample : samples) total += sample.n_dot_l;
     for (int i = 0; i < lanes; ++i) s.sum.set(i, glm::vec3(0.0f));  // not vectorized: GCC makes it calls of memset
     for (const LobeSample& sample : samples) {
-        place_sample(lanes, sample, s);
-        sample_trilinear(radiance, lanes, s.l, s.lod, s.taps, s.color);
+        place_sample(lanes, sample.l, s);
+        sample_trilinear(radiance, lanes, s.l, sample.lod, s.taps, s.color);
         add_sample(lanes, sample.n_dot_l / total, s.color, s.sum);
     }
 }

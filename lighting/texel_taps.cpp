@@ -20,14 +20,14 @@ inline Texel weighted(const float* texels, const TapChannels& taps, int i) {
     return sum;
 }
 
-void read_one_level(const float* texels, int lanes, const TapChannels& taps, float* result) {
+KREDA_BATCH_LOOP void read_one_level(const float* texels, int lanes, const TapChannels& taps, float* result) {
     for (int i = 0; i < lanes; ++i) {  // not vectorized: the four floats of a texel are the vector
         const Texel sum = weighted(texels, taps, i);
         for (int c = 0; c < 4; ++c) result[4 * i + c] = sum.c[c];
     }
 }
 
-void read_two_levels(const float* texels, int lanes, const TapChannels* taps, float* result) {
+KREDA_BATCH_LOOP void read_two_levels(const float* texels, int lanes, const TapChannels* taps, float* result) {
     for (int i = 0; i < lanes; ++i) {  // not vectorized: the four floats of a texel are the vector
         const Texel finer = weighted(texels, taps[0], i);
         const Texel coarser = weighted(texels, taps[1], i);
