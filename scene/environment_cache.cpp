@@ -93,8 +93,10 @@ public:
         for (const lighting::BrdfKind& kind : needs.brdf) {
             lighting::BrdfMap map{kind.distribution, kind.geometry, {}};
             map.texels.resize(std::size_t(4) * lighting::kBrdfMapSize * lighting::kBrdfMapSize);
-            if (read(brdf_key(kind), map.texels)) maps.brdf.push_back(std::move(map));
-            else missing.brdf.push_back(kind);
+            if (read(brdf_key(kind), map.texels))
+                maps.brdf.push_back(std::move(map));
+            else
+                missing.brdf.push_back(kind);
         }
         return missing;
     }
@@ -159,7 +161,9 @@ private:
         return read_map_file(path(key), full_text(key), floats);
     }
 
-    void write(const Key& key, std::span<const float> floats) const { write_map_file(path(key), full_text(key), floats); }
+    void write(const Key& key, std::span<const float> floats) const {
+        write_map_file(path(key), full_text(key), floats);
+    }
 
     /// With a word to git and to backup programs that nothing in it is worth keeping.
     void make_folder() const {
@@ -171,7 +175,8 @@ private:
         fs::create_directories(folder_, failed);
         if (failed) throw UserError(Place{folder_}, "this folder cannot be made: " + failed.message());
         write_text(".gitignore", "*\n");
-        write_text("CACHEDIR.TAG", "Signature: 8a477f597d28d172789f06886806bc55\n# Maps that kreda baked. Delete them at will.\n");
+        write_text("CACHEDIR.TAG",
+                   "Signature: 8a477f597d28d172789f06886806bc55\n# Maps that kreda baked. Delete them at will.\n");
     }
 
     std::string folder_;
@@ -200,22 +205,22 @@ std::string cache_folder_of(const std::string& scene_file) {
 }
 
 PreparedEnvironment cached_environment(const EnvironmentSettings& settings, const EnvironmentNeeds& needs,
-                                       const std::string& folder, const lighting::Progress& progress, CacheReport& report) {
+                                       const std::string& folder, const lighting::Progress& progress,
+                                       CacheReport& report) {
     const Cache cache(settings, needs, folder);
     EnvironmentMaps found;
     const EnvironmentNeeds missing = cache.find(needs, found);
     report.baked = count_of(missing);
     report.found = count_of(needs) - report.baked;
-    PreparedEnvironment prepared = prepare_environment(settings, missing, report.baked > 0 ? progress : lighting::Progress{});
+    PreparedEnvironment prepared =
+        prepare_environment(settings, missing, report.baked > 0 ? progress : lighting::Progress{});
     prepared.needs = needs;
     add_maps(missing, std::move(prepared.maps), found);
     prepared.maps = std::move(found);
     if (report.baked == 0) return prepared;
     try {
         cache.keep(missing, prepared.maps);
-    } catch (const UserError& error) {
-        report.why_not_kept = error.what();
-    }
+    } catch (const UserError& error) { report.why_not_kept = error.what(); }
     return prepared;
 }
 

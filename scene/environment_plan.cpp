@@ -72,13 +72,15 @@ std::vector<PlannedPass> plan_baking(const Scene& scene, const lighting::Environ
         passes.back().buffers.push_back({"cube map", lighting::prefilter_cost(size, prefilter).bytes});
     }
     if (needs.blurred) {
-        bake("prefiltered levels", "a cook_torrance material reflects the environment, " +
-                                       std::to_string(scene.environment.samples) + " samples at roughness 1",
+        bake("prefiltered levels",
+             "a cook_torrance material reflects the environment, " + std::to_string(scene.environment.samples) +
+                 " samples at roughness 1",
              "levels of a cube map", "samples of the texels", lighting::prefilter_cost(size, prefilter));
     }
     if (needs.irradiance) {
         const bool sh9 = needs.form == lighting::IrradianceForm::sh9;
-        const char* const reason = sh9 ? "nine coefficients: environment.irradiance = \"sh9\"" : "a lit material gathers it from all sides";
+        const char* const reason =
+            sh9 ? "nine coefficients: environment.irradiance = \"sh9\"" : "a lit material gathers it from all sides";
         bake("irradiance", reason, sh9 ? "coefficients" : "cube map", sh9 ? "texels" : "pairs of texels",
              lighting::irradiance_cost(size, needs.form));
     }

@@ -43,7 +43,8 @@ bool read_map_file(const std::string& path, const std::string& key, std::span<fl
 
 void write_map_file(const std::string& path, const std::string& key, std::span<const float> floats) {
     const MapHeader header = header_of(key, floats);
-    write_whole_file(path, {std::as_bytes(std::span(&header, 1)), std::as_bytes(std::span(key)), std::as_bytes(floats)});
+    write_whole_file(path,
+                     {std::as_bytes(std::span(&header, 1)), std::as_bytes(std::span(key)), std::as_bytes(floats)});
 }
 
 }  // namespace kreda::scene

@@ -1,5 +1,5 @@
 // A file of floats that belongs to a key: the form in which baked maps are kept.
-//   "KREDAMAP", then as 64-bit numbers the bytes of the key, the bytes of the floats, the hash of both; the key; the floats
+//   "KREDAMAP"; as 64-bit numbers the bytes of the key, the bytes of the floats, the hash of both; the key; the floats
 // All in the byte order of the machine, which therefore stands in every key.
 #pragma once
 
@@ -8,8 +8,8 @@
 
 namespace kreda::scene {
 
-/// Read exactly as many floats as there is room for. False, and the floats are worthless: no such file, another key, cut off, or
-/// damaged.
+/// Read exactly as many floats as there is room for. False, and the floats are worthless: no such file, another key, cut
+/// off, or damaged.
 [[nodiscard]] bool read_map_file(const std::string& path, const std::string& key, std::span<float> floats);
 
 /// Throws UserError.

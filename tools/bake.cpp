@@ -28,7 +28,9 @@ lighting::EnvironmentNeeds all_maps(const lighting::BrdfKind& brdf) {
     return needs;
 }
 
-float roughness_of_level(int level) { return std::sqrt(lighting::alpha_of_level(level)); }
+float roughness_of_level(int level) {
+    return std::sqrt(lighting::alpha_of_level(level));
+}
 
 std::string roughness_text(int level) {
     char text[24];
@@ -50,8 +52,8 @@ nlohmann::ordered_json settings_json(const BakeRequest& request) {
 }
 
 nlohmann::ordered_json file_json(const BakedFile& file) {
-    nlohmann::ordered_json entry{{"file", file.file}, {"holds", file.title}, {"width", file.picture.width},
-                                 {"height", file.picture.height}};
+    nlohmann::ordered_json entry{
+        {"file", file.file}, {"holds", file.title}, {"width", file.picture.width}, {"height", file.picture.height}};
     if (file.roughness >= 0.0f) entry["roughness"] = file.roughness;
     return entry;
 }
@@ -128,18 +130,21 @@ std::vector<BakedFile> baked_files(const lighting::EnvironmentMaps& maps) {
                          "radiance as a surface of roughness " + roughness_text(level) + " mirrors it",
                          roughness_of_level(level), strip_of(maps.prefiltered, level)});
     }
-    files.push_back({"irradiance.exr", "irradiance on a plane that faces each direction", -1.0f, strip_of(maps.irradiance, 0)});
-    files.push_back({"brdf_map.exr", "R: scale A, G: bias B of F0, B: mean of A + B; x = sqrt(n.v), y = roughness", -1.0f,
-                     picture_of(maps.brdf[0])});
+    files.push_back(
+        {"irradiance.exr", "irradiance on a plane that faces each direction", -1.0f, strip_of(maps.irradiance, 0)});
+    files.push_back({"brdf_map.exr", "R: scale A, G: bias B of F0, B: mean of A + B; x = sqrt(n.v), y = roughness",
+                     -1.0f, picture_of(maps.brdf[0])});
     return files;
 }
 
-std::string sh9_json(const BakeRequest& request, const lighting::EnvironmentMaps& maps, const std::vector<BakedFile>& files) {
+std::string sh9_json(const BakeRequest& request, const lighting::EnvironmentMaps& maps,
+                     const std::vector<BakedFile>& files) {
     nlohmann::ordered_json root;
     root["environment"] = request.name;
     const raster::Image* image = request.environment.image.get();
     if (image) root["image"] = {{"width", image->width}, {"height", image->height}};
-    root["repaired_texels"] = {{"negative", request.repairs.negative}, {"not_a_number", request.repairs.nan},
+    root["repaired_texels"] = {{"negative", request.repairs.negative},
+                               {"not_a_number", request.repairs.nan},
                                {"infinite", request.repairs.infinite}};
     root["settings"] = settings_json(request);
     root["faces"] = {"+x", "-x", "+y", "-y", "+z", "-z"};
@@ -164,7 +169,8 @@ Image bake_sheet(const BakeRequest& request, const lighting::EnvironmentMaps& ma
         add(level == 0 ? "environment" : "roughness " + roughness_text(level), develop(seen, film));
     }
     const auto white = [](const glm::vec3& E) { return E * raster::kInvPi; };
-    add("irradiance / pi", develop(panorama([&](const glm::vec3& d) { return white(sample_level(maps.irradiance, 0, d)); }), film));
+    add("irradiance / pi",
+        develop(panorama([&](const glm::vec3& d) { return white(sample_level(maps.irradiance, 0, d)); }), film));
     add("nine coefficients / pi",
         develop(panorama([&](const glm::vec3& d) { return white(irradiance_of_sh9(*maps.sh9, d)); }), film));
     Image brdf = picture_of(maps.brdf[0]);

@@ -59,8 +59,9 @@ CLI::Range range_of(const char* key) {
     std::string list;
     for (const std::string& sky : skies) list += (list.empty() ? "" : ", ") + sky;
     const std::string near = scene::nearest_word(word, skies);
-    throw UserError(Place{word}, "is neither a file nor a built-in sky (" + list + ")" +
-                                     (near.empty() ? "; expected an equirectangular .hdr or .exr" : "; did you mean " + near + "?"));
+    throw UserError(Place{word},
+                    "is neither a file nor a built-in sky (" + list + ")" +
+                        (near.empty() ? "; expected an equirectangular .hdr or .exr" : "; did you mean " + near + "?"));
 }
 
 BakeRequest read_request(const BakeOptions& options) {
@@ -71,8 +72,10 @@ BakeRequest read_request(const BakeOptions& options) {
     environment.rotation_deg = options.rotation;
     environment.intensity = options.intensity;
     environment.samples = options.samples;
-    request.brdf.distribution = static_cast<lighting::Distribution>(index_of(words_of("material", "distribution"), options.distribution));
-    request.brdf.geometry = static_cast<lighting::Geometry>(index_of(words_of("material", "geometry"), options.geometry));
+    request.brdf.distribution =
+        static_cast<lighting::Distribution>(index_of(words_of("material", "distribution"), options.distribution));
+    request.brdf.geometry =
+        static_cast<lighting::Geometry>(index_of(words_of("material", "geometry"), options.geometry));
     const std::vector<std::string> skies = words_of("environment", "sky");
     const int sky = index_of(skies, options.environment);
     if (sky >= 0) {
@@ -82,7 +85,8 @@ BakeRequest read_request(const BakeOptions& options) {
     std::error_code ignored;
     if (!fs::exists(options.environment, ignored)) refuse_environment(options.environment, skies);
     environment.file = options.environment;
-    const scene::EnvironmentImage loaded = scene::read_environment_image(options.environment, Place{options.environment}, "");
+    const scene::EnvironmentImage loaded =
+        scene::read_environment_image(options.environment, Place{options.environment}, "");
     for (const std::string& remark : loaded.remarks) warn(options.environment + " " + remark);
     environment.image = loaded.image;
     request.repairs = loaded.repairs;
@@ -145,7 +149,9 @@ void add_bake_command(CLI::App& app) {
     command->add_option("environment", options->environment, "An equirectangular image, or the name of a built-in sky")
         ->type_name("ENV.hdr|ENV.exr|SKY")
         ->required();
-    command->add_option("-o,--output", options->output, "Folder for the files, made if need be")->type_name("DIR")->required();
+    command->add_option("-o,--output", options->output, "Folder for the files, made if need be")
+        ->type_name("DIR")
+        ->required();
     command->add_option("--rotation", options->rotation, "Degrees about +y, counter-clockwise seen from above")
         ->type_name("DEGREES")
         ->check(range_of("rotation"));

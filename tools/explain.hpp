@@ -51,6 +51,9 @@ struct SampleFacts {
 };
 [[nodiscard]] SampleFacts look_at_sample(const scene::Frame& frame, int x, int y);
 
+/// Where a sample that nothing covers has its colour from.
+void explain_background_color(const SampleFacts& sample, Section& section);
+
 /// "object 2 (teapot), part 0 \"lid\", triangle 17"
 [[nodiscard]] std::string triangle_text(const scene::Frame& frame, const scene::SourceTriangle& source);
 

@@ -248,10 +248,7 @@ void explain_absence(const SampleFacts& sample, Derivation& derivation) {
         section.say("Not a single triangle was drawn.");
     }
     say_absent(sample, section);
-    section.equation(
-        "radiance",
-        frame.scene.image.environment_background ? "the environment along the line of sight" : "image.background", "",
-        sample.radiance, "linear RGB");
+    explain_background_color(sample, section);
     derivation.sections.push_back(section);
 }
 

@@ -53,38 +53,37 @@ void explain_directions(const LitPoint& point, const LightingChannels& c, Sectio
                      c.v.at(0));
 }
 
-/// What is there without any light.
+/// What the surface shows without lamps and without an environment.
+glm::vec3 explain_own_light(const LitPoint& point, const lighting::Material& material, Section& section) {
+    const lighting::PhongMaterial& m = material.phong;
+    if (material.model == ReflectionModel::cook_torrance) {
+        section.equation("ambient", "m_E", "", m.emission, "the microfacet model knows no ambient light");
+        return m.emission;
+    }
+    const glm::vec3 s_A = point.frame.lighting.ambient;
+    const glm::vec3 ambient = lighting::ambient_term(s_A, m.ambient) + m.emission;
+    section.equation("ambient", "s_A ⊗ m_A + m_E",
+                     vector_text(s_A) + " ⊗ " + vector_text(m.ambient) + " + " + vector_text(m.emission), ambient);
+    return ambient;
+}
+
+/// What is there without any lamp.
 void explain_ambient(const LitPoint& point, const LightingChannels& c, Section& section) {
     const lighting::MaterialSetup& setup = point.frame.plan.materials[point.material];
     const lighting::Material& material = setup.material;
-    const lighting::PhongMaterial& m = material.phong;
     if (material.model == ReflectionModel::unlit) {
-        const glm::vec3 m_D = setup.maps.diffuse.texture ? c.m_D.at(0) : m.diffuse;
-        section.equation("ambient", "m_D + m_E", vector_text(m_D) + " + " + vector_text(m.emission), c.ambient.at(0),
-                         "unlit: no light matters");
-    } else if (point.frame.plan.lit_by_environment) {
-        const glm::vec3 diffuse = c.environment.diffuse.at(0), specular = c.environment.specular.at(0);
-        section.equation("E", "", "", c.environment.irradiance.at(0), "irradiance from the environment on n");
-        if (material.model == ReflectionModel::cook_torrance) {
-            section.equation("P", "", "", c.environment.prefiltered.at(0),
-                             "radiance around the mirror direction, blurred by roughness");
-            section.equation("F", "", "", c.environment.F.at(0), "Fresnel reflectance at n·v");
-        }
-        section.equation("env_D", "", "", diffuse,
-                         "diffuse light from the environment; its factors are among the channels");
-        section.equation("env_S", "", "", specular, "specular light from it");
-        section.equation("ambient", "without lamps + env_D + env_S",
-                         vector_text(c.ambient.at(0) - diffuse - specular) + " + " + vector_text(diffuse) + " + " +
-                             vector_text(specular),
-                         c.ambient.at(0));
-    } else if (material.model == ReflectionModel::cook_torrance) {
-        section.equation("ambient", "m_E", "", c.ambient.at(0), "the microfacet model knows no ambient light");
-    } else {
-        section.equation("ambient", "s_A ⊗ m_A + m_E",
-                         vector_text(point.frame.lighting.ambient) + " ⊗ " + vector_text(m.ambient) + " + " +
-                             vector_text(m.emission),
-                         c.ambient.at(0));
+        const glm::vec3 m_D = setup.maps.diffuse.texture ? c.m_D.at(0) : material.phong.diffuse;
+        section.equation("ambient", "m_D + m_E", vector_text(m_D) + " + " + vector_text(material.phong.emission),
+                         c.ambient.at(0), "unlit: no light matters");
+        return;
     }
+    const glm::vec3 own = explain_own_light(point, material, section);
+    if (!point.frame.plan.lit_by_environment) return;
+    explain_environment(point, c, section);
+    section.equation("ambient", "ambient + env_D + env_S",
+                     vector_text(own) + " + " + vector_text(c.environment.diffuse.at(0)) + " + " +
+                         vector_text(c.environment.specular.at(0)),
+                     c.ambient.at(0), "with the environment");
 }
 
 /// d and l of a light that has a place.
@@ -223,16 +222,9 @@ glm::vec3 explain_lighting(const LitPoint& point, Derivation& derivation) {
     }
     Section sum{point.id + "sum", point.name + "the sum", {}};
     const glm::vec3 radiance = before->radiance.at(0);
-    const glm::vec3 by_lights = before->ambient.at(0) + before->diffuse.at(0) + before->specular.at(0);
     const std::string numbers = vector_text(before->ambient.at(0)) + " + " + vector_text(before->diffuse.at(0)) +
                                 " + " + vector_text(before->specular.at(0));
-    const bool more = radiance != by_lights;
-    if (more) {
-        sum.equation("environment", "radiance - (ambient + diffuse + specular)", "", radiance - by_lights,
-                     "light from the image around the scene: its terms are among the channels");
-    }
-    sum.equation("radiance", more ? "ambient + diffuse + specular + environment" : "ambient + diffuse + specular",
-                 more ? numbers + " + " + vector_text(radiance - by_lights) : numbers, radiance, "linear RGB");
+    sum.equation("radiance", "ambient + diffuse + specular", numbers, radiance, "linear RGB");
     derivation.sections.push_back(sum);
     return radiance;
 }

@@ -29,6 +29,9 @@ void explain_maps(const LitPoint& point, const lighting::LightingChannels& c, De
 /// Where a normal map is read: t, b, m and n, after the interpolated normal n0.
 void explain_bent_normal(const LitPoint& point, const lighting::LightingChannels& c, Section& section);
 
+/// What the environment adds: its equations behind those of the surface. `c`: the channels without lamps.
+void explain_environment(const LitPoint& point, const lighting::LightingChannels& c, Section& section);
+
 /// One light's terms by the point's reflection model, symbol by symbol, before they are multiplied by what the light
 /// sends. `after`: the channels once this light was added.
 struct ExplainedTerms {

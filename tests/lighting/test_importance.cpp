@@ -61,7 +61,7 @@ TEST_CASE("importance: the radical inverse mirrors the bits at the point and sta
     CHECK(radical_inverse(1) == 0.5f);
     CHECK(radical_inverse(2) == 0.25f);
     CHECK(radical_inverse(3) == 0.75f);
-    CHECK(radical_inverse(6) == 0.375f);  // 110 -> .011
+    CHECK(radical_inverse(6) == 0.375f);          // 110 -> .011
     CHECK(radical_inverse(0x80000000u) == 0.0f);  // 2^-32: the last eight bits do not fit a float
     CHECK(radical_inverse(0xffffffffu) < 1.0f);
 }
@@ -82,8 +82,13 @@ TEST_CASE("importance: four of Hammersley's points and one point a strip for any
 }
 
 TEST_CASE("importance: a frame is orthonormal and right-handed around any normal and there is a way back") {
-    const vec3 normals[] = {{0, 0, 1}, {0, 0, -1}, {1, 0, 0}, {0, -1, 0}, {0.6f, 0, -0.8f},
-                            glm::normalize(vec3(1e-4f, 2e-4f, -1.0f)), glm::normalize(vec3(-3, 5, -7))};
+    const vec3 normals[] = {{0, 0, 1},
+                            {0, 0, -1},
+                            {1, 0, 0},
+                            {0, -1, 0},
+                            {0.6f, 0, -0.8f},
+                            glm::normalize(vec3(1e-4f, 2e-4f, -1.0f)),
+                            glm::normalize(vec3(-3, 5, -7))};
     for (const vec3& n : normals) {
         CAPTURE(n.x);
         CAPTURE(n.z);
@@ -125,8 +130,10 @@ TEST_CASE("importance: GGX's half vectors are as dense as D n.h") {
         const auto half = [&](const vec2& u) { return ggx_half_vector(u, alpha); };
         for (const int power : {1, 2, 6}) {
             CAPTURE(power);
-            const double expected = hemisphere([&](double, double, double z) { return std::pow(z, power) * ggx(z, alpha) * z; });
-            CHECK(mean(half, [&](const vec3& h) { return std::pow(h.z, power); }) == doctest::Approx(expected).epsilon(1e-3));
+            const double expected =
+                hemisphere([&](double, double, double z) { return std::pow(z, power) * ggx(z, alpha) * z; });
+            CHECK(mean(half, [&](const vec3& h) { return std::pow(h.z, power); }) ==
+                  doctest::Approx(expected).epsilon(1e-3));
         }
     }
 }
@@ -142,7 +149,8 @@ TEST_CASE("importance: visible half vectors are as dense as the facets that v se
                 const double v_dot_h = double(v.x) * x + double(v.z) * z;
                 return v_dot_h > 0.0 ? masking(n_dot_v, alpha) * v_dot_h * ggx(z, alpha) / n_dot_v : 0.0;
             };
-            CHECK(hemisphere([&](double x, double, double z) { return density(x, z); }) == doctest::Approx(1.0).epsilon(2e-3));
+            CHECK(hemisphere([&](double x, double, double z) { return density(x, z); }) ==
+                  doctest::Approx(1.0).epsilon(2e-3));
             const double tilt = hemisphere([&](double x, double, double z) { return x * density(x, z); });
             const double height = hemisphere([&](double x, double, double z) { return z * density(x, z); });
             CHECK(mean(half, [](const vec3& h) { return h.x; }) == doctest::Approx(tilt).epsilon(2e-3).scale(1.0));

@@ -59,18 +59,22 @@ TEST_CASE("sky: a soft box is 1 inside and a half at its edge and 0 beside and b
 TEST_CASE("sky: the studio is dark above and lighter below and its lamps are where its words say") {
     check_near(studio_sky(kUp), {0.06f, 0.065f, 0.075f});
     check_near(studio_sky(kDown), {0.22f, 0.215f, 0.215f});
-    check_near(studio_sky(glm::normalize(vec3(-0.57207754f, 0.57207754f, 0.58777855f))), {9.06f, 8.665f, 8.075f});  // key
-    check_near(studio_sky(glm::normalize(vec3(0.93632918f, 0.28089875f, 0.21067407f))), {1.66f, 1.965f, 2.475f});   // fill
-    check_near(studio_sky(glm::normalize(vec3(0, 0.31622777f, -0.94868330f))), {5.06f, 5.065f, 5.275f});            // strip
+    check_near(studio_sky(glm::normalize(vec3(-0.57207754f, 0.57207754f, 0.58777855f))),
+               {9.06f, 8.665f, 8.075f});  // key
+    check_near(studio_sky(glm::normalize(vec3(0.93632918f, 0.28089875f, 0.21067407f))),
+               {1.66f, 1.965f, 2.475f});                                                                  // fill
+    check_near(studio_sky(glm::normalize(vec3(0, 0.31622777f, -0.94868330f))), {5.06f, 5.065f, 5.275f});  // strip
 }
 
 TEST_CASE("sky: the sunset is blue above and dark below and its sun stands low at -z") {
     // e^-5 of the horizon's colour is left at the zenith.
-    check_near(sunset_sky(kUp), {0.1f + 0.65f * 0.006737947f, 0.16f + 0.20f * 0.006737947f, 0.36f - 0.16f * 0.006737947f}, 1e-4);
+    check_near(sunset_sky(kUp),
+               {0.1f + 0.65f * 0.006737947f, 0.16f + 0.20f * 0.006737947f, 0.36f - 0.16f * 0.006737947f}, 1e-4);
     check_near(sunset_sky(kDown), {0.055f, 0.045f, 0.04f});
     const vec3 sun = glm::normalize(vec3(0.2f, 0.09950372f, -0.97472f));
     const double h = std::exp(-5.0 * sun.y);
-    const vec3 expected{float(0.10 * (1 - h) + 0.75 * h + 1.6 * h + 260.0), float(0.16 * (1 - h) + 0.36 * h + 0.62 * h + 110.0),
+    const vec3 expected{float(0.10 * (1 - h) + 0.75 * h + 1.6 * h + 260.0),
+                        float(0.16 * (1 - h) + 0.36 * h + 0.62 * h + 110.0),
                         float(0.36 * (1 - h) + 0.20 * h + 0.16 * h + 32.0)};
     check_near(sunset_sky(sun), expected, 1e-4);
 }
@@ -85,7 +89,9 @@ TEST_CASE("sky: every direction has light that is finite and not negative and th
                 CHECK(std::isfinite(L[c]));
                 CHECK(L[c] > 0.0f);
             }
-            const vec3 by_name = sky == Sky::studio ? studio_sky(d) : sky == Sky::sunset ? sunset_sky(d) : gradient_sky(d);
+            const vec3 by_name = sky == Sky::studio   ? studio_sky(d)
+                                 : sky == Sky::sunset ? sunset_sky(d)
+                                                      : gradient_sky(d);
             CHECK(L == by_name);
         }
     }

@@ -67,7 +67,8 @@ TEST_CASE("taps: a batch reads what one point reads bit for bit on one level and
     const int lanes = raster::lanes_for(20);
     const auto tap_of = [](int i, float share) {
         const int x = i % 6, y = i % 4;
-        return bilinear_tap(4 * (7 * y + x), 28, 0.05f * static_cast<float>(i), 1.0f - 0.03f * static_cast<float>(i), share);
+        return bilinear_tap(4 * (7 * y + x), 28, 0.05f * static_cast<float>(i), 1.0f - 0.03f * static_cast<float>(i),
+                            share);
     };
     for (int i = 0; i < lanes; ++i) {
         scratch->taps[0].set(i, tap_of(i, 0.3f));

@@ -6,6 +6,7 @@
 #include <glm/geometric.hpp>
 
 #include "lighting/environment_image.hpp"
+#include "scene/plan_cost.hpp"
 #include "scene/read_scene.hpp"
 #include "scene/render.hpp"
 
@@ -138,6 +139,43 @@ TEST_CASE("environment: only what the scene requires is baked") {
     CHECK_FALSE(reference.blurred);
     CHECK_FALSE(reference.irradiance);
     CHECK_FALSE(needs(ball("model = \"cook_torrance\"\n", even, "on = false\n")).any());
+}
+
+TEST_CASE("environment: the plan counts what is baked and the bytes of the very maps") {
+    Scene scene = ball("model = \"cook_torrance\"\n", even, "samples = 64\n");
+    scene.image.environment_background = true;
+    const RenderPlan plan = make_plan(scene);
+    const lighting::EnvironmentMaps maps = prepare_environment(scene.environment, plan.environment).maps;
+    const auto pass = [&](const RenderPlan& of, const char* name) {
+        for (const PlannedPass& planned : of.passes) {
+            if (planned.name == name) return planned;
+        }
+        FAIL(name);
+        return PlannedPass{};
+    };
+    CHECK(pass(plan, "bake prefiltered levels").buffers.at(0).bytes == 4 * maps.prefiltered.texels.size());
+    CHECK(pass(plan, "bake irradiance").buffers.at(0).bytes == 4 * maps.irradiance.texels.size());
+    CHECK(pass(plan, "bake brdf map").buffers.at(0).bytes == 4 * maps.brdf[0].texels.size());
+    // 64 x 32 pixels: a cube of 128 texels a side, 2 x 2 directions a texel; E: 6 x 32^2 texels from 6 x 64^2.
+    CHECK(pass(plan, "bake environment").cost.count == 6u * 128 * 128 * 4);
+    CHECK(pass(plan, "bake irradiance").cost.count == 6u * 32 * 32 * 6 * 64 * 64);
+    CHECK(pass(plan, "bake brdf map").cost.count == 64u * 64 * 1024);
+    // 64 samples at roughness 1, on the smallest level; 32, the least number, on all others.
+    const std::uint64_t texels = 6u * (128 * 128 * 3 + 64 * 64 + 32 * 32 + 16 * 16 + 2 * 8 * 8);
+    CHECK(pass(plan, "bake prefiltered levels").cost.count == texels * 32);
+    CHECK(baking_operations(plan) > 1e8);
+    CHECK(describe(plan, false).find("baking, once and kept: ") != std::string::npos);
+    scene.environment.irradiance = lighting::IrradianceForm::sh9;
+    CHECK(pass(make_plan(scene), "bake irradiance").buffers.at(0).bytes == 9 * 3 * sizeof(float));
+    scene.environment.reference = 16;  // the mirror alone
+    const RenderPlan exact = make_plan(scene);
+    const auto mirror = prepare_environment(scene.environment, exact.environment).maps.prefiltered;
+    CHECK(pass(exact, "bake environment").buffers.at(1).bytes == 4 * mirror.texels.size());
+    CHECK(pass(exact, "environment").cost.operations_each > pass(plan, "environment").cost.operations_each);
+    Scene dark = scene;
+    dark.environment.on = false;
+    CHECK(baking_operations(make_plan(dark)) == 0.0);
+    CHECK(total_operations(make_plan(dark)) < total_operations(plan));
 }
 
 TEST_CASE("environment: one that is off changes no bit") {

@@ -24,9 +24,12 @@ namespace {
 /// A shining ball before an environment with something else in every texel.
 Scene ball(const std::string& environment = "") {
     Scene scene = read_scene_text(
-        "[image]\nsize = [32, 32]\nbackground = \"environment\"\n[camera]\nposition = [0, 0, 4]\n[environment]\nsky = \"studio\"\n"
-        "samples = 32\n" + environment +
-            "[[object]]\nmesh = \"sphere\"\ndetail = 16\nmaterial = \"m\"\n[[material]]\nname = \"m\"\nmodel = \"cook_torrance\"\n"
+        "[image]\nsize = [32, 32]\nbackground = \"environment\"\n[camera]\nposition = [0, 0, 4]\n[environment]\nsky = "
+        "\"studio\"\n"
+        "samples = 32\n" +
+            environment +
+            "[[object]]\nmesh = \"sphere\"\ndetail = 16\nmaterial = \"m\"\n[[material]]\nname = \"m\"\nmodel = "
+            "\"cook_torrance\"\n"
             "roughness = 0.4\n",
         "test", "");
     raster::Image image = raster::make_image(8, 4, 3);
@@ -51,11 +54,13 @@ bool same_maps(const PreparedEnvironment& a, const PreparedEnvironment& b) {
     for (std::size_t k = 0; k < a.maps.brdf.size(); ++k) {
         if (a.maps.brdf[k].texels != b.maps.brdf[k].texels) return false;
     }
-    return a.maps.prefiltered.texels == b.maps.prefiltered.texels && a.maps.irradiance.texels == b.maps.irradiance.texels &&
-           (!a.maps.sh9 || a.maps.sh9->c == b.maps.sh9->c);
+    return a.maps.prefiltered.texels == b.maps.prefiltered.texels &&
+           a.maps.irradiance.texels == b.maps.irradiance.texels && (!a.maps.sh9 || a.maps.sh9->c == b.maps.sh9->c);
 }
 
-PreparedEnvironment fresh(const Scene& scene) { return prepare_environment(scene.environment, environment_needs(scene)); }
+PreparedEnvironment fresh(const Scene& scene) {
+    return prepare_environment(scene.environment, environment_needs(scene));
+}
 
 std::vector<std::string> map_files(const std::string& folder) {
     std::vector<std::string> files;
@@ -66,7 +71,9 @@ std::vector<std::string> map_files(const std::string& folder) {
     return files;
 }
 
-void overwrite(const std::string& file, const std::string& bytes) { std::ofstream(file, std::ios::binary) << bytes; }
+void overwrite(const std::string& file, const std::string& bytes) {
+    std::ofstream(file, std::ios::binary) << bytes;
+}
 
 }  // namespace
 
@@ -142,7 +149,7 @@ TEST_CASE("environment cache: another image or sky or number of samples is anoth
     raster::Image image = *changed.environment.image;
     image.at(2, 5, 1) += 1e-6f;
     changed.environment.image = std::make_shared<raster::Image>(image);
-    CHECK(baked(changed) == 2);  // not the BRDF map: it knows no environment
+    CHECK(baked(changed) == 2);                                          // not the BRDF map: it knows no environment
     changed.environment.image = std::make_shared<raster::Image>(image);  // another object, the same texels
     CHECK(baked(changed) == 0);
     changed.environment.image = nullptr;

@@ -1,5 +1,6 @@
 #include "tests/tools/explain_scenes.hpp"
 
+#include "scene/environment_plan.hpp"
 #include "scene/image_file.hpp"
 #include "scene/read_scene.hpp"
 #include "tests/scene/temp_folder.hpp"
@@ -32,6 +33,15 @@ std::string microfacets(const std::string& more) {
     return "model = \"cook_torrance\"\nalbedo = [0.9, 0.6, 0.3]\nmetallic = 0.4\nroughness = 0.35\n" + more;
 }
 
+/// Lit by a small image with something else in every texel, baked once for all pixels that are asked for.
+void surround(scene::Scene& scene) {
+    auto image = std::make_shared<raster::Image>(raster::make_image(8, 4, 3));
+    for (std::size_t i = 0; i < image->values.size(); ++i) image->values[i] = static_cast<float>(i * 37 % 96) / 48.0f;
+    scene.environment.image = image;
+    scene.environment.prepared = std::make_shared<scene::PreparedEnvironment>(
+        prepare_environment(scene.environment, environment_needs(scene)));
+}
+
 /// Three small pictures of numbers that are all different.
 void write_textures(const TempFolder& folder) {
     raster::Image image = raster::make_image(8, 4, 3);
@@ -55,9 +65,7 @@ void replace_all(std::string& text, const std::string& old_words, const std::str
     }
 }
 
-}  // namespace
-
-std::vector<NamedScene> scenes_to_explain() {
+std::vector<NamedScene> make_scenes() {
     std::vector<NamedScene> scenes;
     const TempFolder folder;
     write_textures(folder);
@@ -106,6 +114,18 @@ std::vector<NamedScene> scenes_to_explain() {
     add("diffuse map", model("phong") + "diffuse_map = \"colors.png\"\ntexture_filter = \"bilinear\"\n");
     add("unlit map", model("unlit") + "diffuse_map = \"colors.png\"\n");
     add("no culling", model("phong"), "[shading]\ncull = \"none\"\n");
+    const auto add_surrounded = [&](const std::string& name, const std::string& material, const std::string& environment) {
+        add("environment, " + name, material, "[environment]\nsky = \"studio\"\nsamples = 32\n" + environment);
+        surround(scenes.back().scene);
+    };
+    add_surrounded("split sum", microfacets("ao = 0.7\n"), "rotation = 40\nintensity = 0.5\n");
+    add_surrounded("bounces", microfacets("energy_compensation = \"kulla_conty\"\nemission = [0.1, 0, 0.2]\n"),
+                   "irradiance = \"sh9\"\n");
+    add_surrounded("integral", microfacets(""), "reference = 16\n");
+    add_surrounded("diffuse", model("blinn_phong"), "");
+    scenes.back().scene.image.environment_background = true;
+    surround(scenes.back().scene);
+    add_surrounded("diffuse integral", model("lambert"), "reference = 16\n");
     for (NamedScene& named : scenes) named.scene.image.samples = 1;
 
     const auto vary = [&](const std::string& name, auto&& change) {
@@ -125,6 +145,13 @@ std::vector<NamedScene> scenes_to_explain() {
         s.image.transfer = raster::Transfer::gamma;
     });
     vary("empty", [](scene::Scene& s) { s.objects.clear(); });
+    return scenes;
+}
+
+}  // namespace
+
+const std::vector<NamedScene>& scenes_to_explain() {
+    static const std::vector<NamedScene> scenes = make_scenes();
     return scenes;
 }
 

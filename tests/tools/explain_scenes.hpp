@@ -13,8 +13,9 @@ struct NamedScene {
     scene::Scene scene;
 };
 
-/// Every reflection model, shading frequency, fog, clipping, culling, several samples, both projections; 24 x 16
+/// Every reflection model, shading frequency, fog, environment, clipping, culling, several samples, both projections; 24 x 16
 /// pixels.
-[[nodiscard]] std::vector<NamedScene> scenes_to_explain();
+/// Read once, with what is baked for them.
+[[nodiscard]] const std::vector<NamedScene>& scenes_to_explain();
 
 }  // namespace kreda::tests

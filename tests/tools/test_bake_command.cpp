@@ -6,8 +6,8 @@
 #include <thread>
 #include <vector>
 
-#include <unistd.h>
 #include <doctest/doctest.h>
+#include <unistd.h>
 #include <nlohmann/json.hpp>
 
 #include "lighting/environment_image.hpp"
@@ -42,7 +42,9 @@ raster::Image image_of(Radiance L, int height = 8) {
     return image;
 }
 
-glm::vec3 even(const glm::vec3&) { return {0.5f, 1.0f, 2.0f}; }
+glm::vec3 even(const glm::vec3&) {
+    return {0.5f, 1.0f, 2.0f};
+}
 
 /// Something else in every direction.
 glm::vec3 colorful(const glm::vec3& d) {
@@ -93,7 +95,8 @@ TEST_CASE("bake: even light stays L in every mirror and is pi L on every plane")
     const glm::vec3 L = even({});
     for (const char* file : {"environment", "prefiltered_1", "prefiltered_4", "prefiltered_7"}) {
         CAPTURE(file);
-        CHECK(distance_from(scene::read_image(folder.file("out/" + std::string(file) + ".exr")), L) < 4e-6f);  // sums of floats
+        CHECK(distance_from(scene::read_image(folder.file("out/" + std::string(file) + ".exr")), L) <
+              4e-6f);  // sums of floats
     }
     // The largest of the three is 2 pi; the texels' centres are not their centroids: 3e-4.
     CHECK(distance_from(scene::read_image(folder.file("out/irradiance.exr")), kPi * L) < 2e-3f);
@@ -102,7 +105,8 @@ TEST_CASE("bake: even light stays L in every mirror and is pi L on every plane")
         CAPTURE(k);
         for (int c = 0; c < 3; ++c) {
             const double expected = k == 0 ? double(kPi * L[c]) : 0.0;
-            CHECK(std::abs(sh9.at("coefficients").at(k).at(static_cast<std::size_t>(c)).get<double>() - expected) < 1e-4);
+            CHECK(std::abs(sh9.at("coefficients").at(k).at(static_cast<std::size_t>(c)).get<double>() - expected) <
+                  1e-4);
         }
     }
     CHECK(sh9.at("repaired_texels").at("negative") == 0);
@@ -146,7 +150,8 @@ TEST_CASE("bake: every file holds the very texels that rendering reads") {
 
 TEST_CASE("bake: a turn by 90 degrees carries +x to -z and intensity multiplies") {
     const TempFolder folder;
-    scene::write_exr(folder.file("lamp.exr"), image_of([](const glm::vec3& d) { return glm::vec3(d.x > 0.9f ? 1.0f : 0.0f); }, 64));
+    scene::write_exr(folder.file("lamp.exr"),
+                     image_of([](const glm::vec3& d) { return glm::vec3(d.x > 0.9f ? 1.0f : 0.0f); }, 64));
     check_baked(folder, {"lamp.exr", "-o", "out", "--samples", "32", "--rotation", "90", "--intensity", "3"});
     const raster::Image strip = scene::read_image(folder.file("out/environment.exr"));
     const int size = strip.height;
@@ -198,10 +203,12 @@ TEST_CASE("bake: what cannot be baked is refused with the remedy and writes no f
         CHECK(line_count(outcome.err) == 1);
         CHECK(outcome.err.find(remedy) != std::string::npos);
     };
-    refused({"bake", "stduio", "-o", "o"}, "stduio: is neither a file nor a built-in sky (studio, sunset, gradient); did you mean studio?");
+    refused({"bake", "stduio", "-o", "o"},
+            "stduio: is neither a file nor a built-in sky (studio, sunset, gradient); did you mean studio?");
     refused({"bake", "nowhere/x.hdr", "-o", "o"}, "expected an equirectangular .hdr or .exr");
     refused({"bake", "text.hdr", "-o", "o"}, "text.hdr: cannot be read as an image");
-    refused({"bake", "tiny.exr", "-o", "o"}, "tiny.exr: is 2 x 1 pixels; an equirectangular image is twice as wide as high");
+    refused({"bake", "tiny.exr", "-o", "o"},
+            "tiny.exr: is 2 x 1 pixels; an equirectangular image is twice as wide as high");
     refused({"bake", "studio", "-o", "file"}, "file: this folder cannot be made");
     refused({"bake", "studio"}, "--output");
     refused({"bake", "studio", "-o", "o", "--samples", "3"}, "--samples");
@@ -210,7 +217,8 @@ TEST_CASE("bake: what cannot be baked is refused with the remedy and writes no f
         namespace fs = std::filesystem;
         fs::create_directory(folder.path / "closed");
         fs::permissions(folder.path / "closed", fs::perms::owner_read | fs::perms::owner_exec);
-        refused({"bake", "studio", "-o", "closed"}, "closed: nothing can be written into this folder; choose another one with -o");
+        refused({"bake", "studio", "-o", "closed"},
+                "closed: nothing can be written into this folder; choose another one with -o");
         fs::permissions(folder.path / "closed", fs::perms::owner_all);
     }
     const std::vector<std::string> names = names_in(folder.path.string());
@@ -277,7 +285,9 @@ TEST_CASE("cache: several renders at once share a cold folder") {
     std::vector<std::thread> renders;
     std::vector<Outcome> outcomes(4);
     for (std::size_t i = 0; i < outcomes.size(); ++i) {
-        renders.emplace_back([&, i] { outcomes[i] = folder.render({"-o", std::to_string(i) + ".exr", "--threads", "1"}); });
+        renders.emplace_back([&, i] {
+            outcomes[i] = folder.render({"-o", std::to_string(i) + ".exr", "--threads", "1"});
+        });
     }
     for (std::thread& thread : renders) thread.join();
     for (std::size_t i = 0; i < outcomes.size(); ++i) {
@@ -294,7 +304,8 @@ TEST_CASE("cache: where it cannot be written the picture is drawn and a word is 
     const Outcome outcome = folder.render({"-o", "p.png"});
     CAPTURE(outcome.err);
     CHECK(outcome.exit_code == 0);
-    CHECK(outcome.err.find("note: the baked maps are not kept: .kreda-cache: this folder cannot be made") != std::string::npos);
+    CHECK(outcome.err.find("note: the baked maps are not kept: .kreda-cache: this folder cannot be made") !=
+          std::string::npos);
     CHECK(std::filesystem::exists(folder.path / "p.png"));
     CHECK(bytes_of(folder.file(".kreda-cache")) == "a file in its place");
 }

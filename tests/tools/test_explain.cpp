@@ -3,6 +3,7 @@
 #include <string>
 
 #include <doctest/doctest.h>
+#include <glm/geometric.hpp>
 #include <nlohmann/json.hpp>
 
 #include "raster/film.hpp"
@@ -114,6 +115,56 @@ TEST_CASE("explain: the lights' terms add up to the sums of the passes and these
             close(ambient + diffuse + specular, vector_of(value_of(*find_section(explanation, "sum"), "radiance")));
         });
     }
+}
+
+TEST_CASE("explain: the environment's terms follow from the numbers that stand before them") {
+    const auto near = [](const glm::vec3& a, const glm::vec3& b) {
+        for (int c = 0; c < 3; ++c) CHECK(a[c] == doctest::Approx(b[c]).epsilon(2e-6));
+    };
+    constexpr float kPi = 3.14159265f;
+    int seen = 0;
+    for (const NamedScene& named : scenes_to_explain()) {
+        if (!named.name.starts_with("environment, ")) continue;
+        CAPTURE(named.name);
+        for_some_pixels(named.scene, [&](int x, int y) {
+            const Explanation explanation = tools::explain_pixel(named.scene, {x, y});
+            if (!explanation.covered) return;
+            ++seen;
+            const tools::Section& surface = *find_section(explanation, "surface");
+            const auto vector = [&](const char* symbol) { return vector_of(value_of(surface, symbol)); };
+            const auto number = [&](const char* symbol) { return float(value_of(surface, symbol).at(0)); };
+            const bool exact = named.scene.environment.reference > 0;
+            const bool microfacets = named.scene.materials[0].model == lighting::ReflectionModel::cook_torrance;
+            CHECK(value_of(surface, "E").empty() == (exact && microfacets));
+            CHECK(value_of(surface, "P").empty() == (exact || !microfacets));
+            if (!microfacets) near(vector("env_D"), named.scene.materials[0].phong.diffuse * vector("E") / kPi);
+            if (!microfacets || exact) return;
+            near(vector("k_d"), (glm::vec3(1.0f) - vector("F")) * 0.6f);  // metallic = 0.4
+            near(vector("env_D"), number("ao") * vector("k_d") * vector("c") * vector("E") / kPi);
+            glm::vec3 specular = vector("P") * (vector("F0") * number("A") + glm::vec3(number("B")));
+            if (!value_of(surface, "F_ms").empty()) {
+                specular += vector("F_ms") * (1.0f - (number("A") + number("B"))) * vector("E") / kPi;
+            }
+            near(vector("env_S"), number("ao") * specular);
+            CHECK(number("level") == doctest::Approx(7.0 + std::log2(0.35 * 0.35)).epsilon(1e-6));
+        });
+    }
+    CHECK(seen >= 50);
+}
+
+TEST_CASE("explain: a pixel without a surface looks along its line of sight into the environment") {
+    scene::Scene scene = square_scene("[environment]\nsky = \"gradient\"\nsamples = 32\nintensity = 2\n");
+    scene.image.environment_background = true;
+    scene.objects.clear();
+    scene.camera.projection = raster::Projection::perspective;
+    scene.camera.vertical_fov_deg = 90.0f;
+    const Explanation explanation = tools::explain_pixel(scene, {0, 63});
+    const tools::Section& section = *find_section(explanation, "background");
+    const glm::vec3 d = vector_of(value_of(section, "d"));
+    CHECK(glm::distance(glm::normalize(d), glm::normalize(glm::vec3(-63.0f, -63.0f, -64.0f))) < 1e-6f);
+    const glm::vec3 sky = 2.0f * lighting::gradient_sky(glm::normalize(d));
+    const glm::vec3 seen = vector_of(value_of(section, "radiance"));
+    for (int c = 0; c < 3; ++c) CHECK(seen[c] == doctest::Approx(sky[c]).epsilon(2e-3));  // a texel of 256 a face
 }
 
 TEST_CASE("explain: barycentric coordinates are the shares of the edge functions and put the position where it is") {

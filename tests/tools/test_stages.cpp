@@ -101,6 +101,34 @@ TEST_CASE("stages: only what the plan holds is shown") {
     CHECK(has("shadows", "light_0_light_depth"));
     CHECK(has("shadows, flat", "light_0_light_depth"));
     CHECK_FALSE(has("phong", "light_0_light_depth"));
+    CHECK(has("environment, split sum", "prefilter"));
+    CHECK(has("environment, diffuse", "irradiance"));
+    CHECK_FALSE(has("environment, diffuse", "prefilter"));
+    CHECK_FALSE(has("environment, integral", "prefilter"));
+    CHECK_FALSE(has("phong", "irradiance"));
+}
+
+TEST_CASE("stages: what the environment adds and what a surface sends by itself are its ambient light") {
+    for (const char* name : {"environment, split sum", "environment, bounces", "environment, integral"}) {
+        CAPTURE(name);
+        const scene::Scene scene = scene_named(name);
+        const glm::vec3 emission = scene.materials[0].phong.emission;
+        const std::map<std::string, Stage> stages = stages_of(scene);
+        const raster::Image& ambient = stages.at("ambient").values;
+        float greatest = 0.0f;
+        for (int y = 0; y < ambient.height; ++y) {
+            for (int x = 0; x < ambient.width; ++x) {
+                if (stages.at("overdraw").values.at(0, x, y) == 0.0f) continue;
+                for (int c = 0; c < 3; ++c) {
+                    const float sum = emission[c] + stages.at("environment_diffuse").values.at(c, x, y) +
+                                      stages.at("environment_specular").values.at(c, x, y);
+                    CHECK(ambient.at(c, x, y) == doctest::Approx(sum).epsilon(1e-6));
+                    greatest = std::max(greatest, sum);
+                }
+            }
+        }
+        CHECK(greatest > 0.1f);
+    }
 }
 
 TEST_CASE("stages: what a light sees keeps its shape and its distances") {
