@@ -1,7 +1,6 @@
 // 51_irradiance: the picture and the page against sums in double over the skies and over real environments.
 #include <algorithm>
 #include <cmath>
-#include <functional>
 #include <numbers>
 #include <vector>
 
@@ -9,6 +8,7 @@
 #include <glm/geometric.hpp>
 
 #include "course.hpp"
+#include "environment_rays.hpp"
 #include "lighting/environment_image.hpp"
 #include "lighting/irradiance.hpp"
 #include "scene/image_file.hpp"
@@ -21,48 +21,11 @@ using std::numbers::pi;
 
 namespace {
 
-/// A direction and the light that comes from it, L dw.
-struct Ray {
-    dvec3 l, light;
-};
-
-dvec3 direction_of_angles(double azimuth, double polar) {
-    return {std::sin(polar) * std::cos(azimuth), std::cos(polar), std::sin(polar) * std::sin(azimuth)};
-}
-
-/// width x width / 2 rays of an environment whose radiance is a function of the texel and of its direction.
-std::vector<Ray> rays_of(int width, const std::function<dvec3(int x, int y, const dvec3& d)>& radiance) {
-    const int height = width / 2;
-    std::vector<Ray> rays;
-    for (int y = 0; y < height; ++y) {
-        const double w = 2.0 * pi / width * (std::cos(pi * y / height) - std::cos(pi * (y + 1) / height));
-        for (int x = 0; x < width; ++x) {
-            const dvec3 d = direction_of_angles(2.0 * pi * ((x + 0.5) / width - 0.5), pi * (y + 0.5) / height);
-            rays.push_back({d, w * radiance(x, y, d)});
-        }
-    }
-    return rays;
-}
-
-std::vector<Ray> rays_of_sky(lighting::Sky sky, int width) {
-    return rays_of(width, [&](int, int, const dvec3& d) { return dvec3(lighting::sky_radiance(sky, glm::vec3(d))); });
-}
-
 /// E(n), summed over all rays.
 dvec3 irradiance(const std::vector<Ray>& rays, const dvec3& n) {
     dvec3 E(0.0);
-    for (const Ray& ray : rays) E += std::max(0.0, glm::dot(n, ray.l)) * ray.light;
+    for (const Ray& ray : rays) E += std::max(0.0, glm::dot(n, ray.l)) * ray.w * ray.L;
     return E;
-}
-
-/// A spiral of equal areas.
-std::vector<dvec3> even_directions(int count) {
-    std::vector<dvec3> directions;
-    for (int i = 0; i < count; ++i) {
-        const double y = 1.0 - (2.0 * i + 1.0) / count;
-        directions.push_back(direction_of_angles(pi * (3.0 - std::sqrt(5.0)) * i, std::acos(y)));
-    }
-    return directions;
 }
 
 /// Error of the polynomial over 100 normals and three colours, relative to all the light from everywhere: what
@@ -74,7 +37,7 @@ struct Sh9Error {
 Sh9Error sh9_error(const lighting::CubeMap& radiance, const std::vector<Ray>& rays) {
     const lighting::Sh9 sh = lighting::project_to_sh9(radiance);
     dvec3 total(0.0);
-    for (const Ray& ray : rays) total += ray.light;
+    for (const Ray& ray : rays) total += ray.w * ray.L;
     Sh9Error error;
     const std::vector<dvec3> normals = even_directions(100);
     for (const dvec3& n : normals) {
@@ -126,7 +89,7 @@ TEST_CASE("51_irradiance: the numbers of the page for the studio are those of a 
           number("texels_up").epsilon(2e-3));  // a cube of 64 texels smears the lamps
     CHECK(irradiance(rays, {0, -1, 0}).y / pi == number("texels_down").epsilon(2e-3));
     dvec3 total(0.0);
-    for (const Ray& ray : rays) total += ray.light;
+    for (const Ray& ray : rays) total += ray.w * ray.L;
     CHECK(total.y / 4.0 == number("quarter").epsilon(2e-3));
     const double x = pi / 8.0;
     CHECK(x / std::sin(x) == number("four_angles").epsilon(1e-4));

@@ -9,6 +9,7 @@
 #include <glm/geometric.hpp>
 
 #include "course.hpp"
+#include "environment_rays.hpp"
 #include "lighting/environment_image.hpp"
 #include "lighting/prefilter.hpp"
 
@@ -18,50 +19,6 @@ using glm::dvec3;
 using std::numbers::pi;
 
 namespace {
-
-/// A direction, its solid angle, and the green light from there.
-struct Ray {
-    dvec3 l;
-    double w, L;
-};
-
-std::vector<Ray> rays_of_sunset() {
-    constexpr int kWidth = 512, kHeight = 256;
-    std::vector<Ray> rays;
-    for (int y = 0; y < kHeight; ++y) {
-        const double w = 2.0 * pi / kWidth * (std::cos(pi * y / kHeight) - std::cos(pi * (y + 1) / kHeight));
-        for (int x = 0; x < kWidth; ++x) {
-            const double azimuth = 2.0 * pi * (x + 0.5) / kWidth, polar = pi * (y + 0.5) / kHeight;
-            const dvec3 d(std::sin(polar) * std::cos(azimuth), std::cos(polar), std::sin(polar) * std::sin(azimuth));
-            rays.push_back({d, w, double{lighting::sunset_sky(glm::vec3(d)).y}});
-        }
-    }
-    return rays;
-}
-
-/// sum of L w D (n.l) / sum of w D (n.l),  D from n.h = sqrt((1 + n.l) / 2).        Walter et al. 2007 eq. (33)
-double lobe_average(const std::vector<Ray>& rays, const dvec3& n, double alpha) {
-    double sum = 0.0, total = 0.0;
-    for (const Ray& ray : rays) {
-        const double mu = glm::dot(n, ray.l);
-        if (mu <= 0.0) continue;
-        const double q = 0.5 * (1.0 + mu) * (alpha * alpha - 1.0) + 1.0;
-        const double weight = ray.w * mu / (q * q);
-        sum += weight * ray.L;
-        total += weight;
-    }
-    return sum / total;
-}
-
-std::vector<glm::vec3> even_directions(int count) {
-    std::vector<glm::vec3> directions;
-    for (int i = 0; i < count; ++i) {
-        const double y = 1.0 - (2.0 * i + 1.0) / count, ring = std::sqrt(1.0 - y * y),
-                     turn = pi * (3.0 - std::sqrt(5.0)) * i;
-        directions.emplace_back(ring * std::cos(turn), y, ring * std::sin(turn));
-    }
-    return directions;
-}
 
 doctest::Approx number(const std::string& key) {
     return doctest::Approx(documented_number("52_prefilter", key));
@@ -86,16 +43,17 @@ TEST_CASE("52_prefilter: the sample of the page worked by hand") {
 }
 
 TEST_CASE("52_prefilter: the errors of the page are those against the integral in double") {
-    const std::vector<Ray> rays = rays_of_sunset();
+    const std::vector<Ray> rays = rays_of_sky(lighting::Sky::sunset, 512);
     const lighting::CubeMap sky = lighting::cube_from_sky(lighting::Sky::sunset, 64);
     lighting::CubeMap plain = sky;
     plain.levels.resize(1);
-    const std::vector<glm::vec3> normals = even_directions(200);
+    std::vector<glm::vec3> normals;
+    for (const dvec3& n : even_directions(200)) normals.emplace_back(n);
     const std::vector<glm::vec3> from_mips = prefiltered_radiance(sky, normals, 0.25f, 256);
     const std::vector<glm::vec3> alone = prefiltered_radiance(plain, normals, 0.25f, 256);
     double light = 0.0, error_mips = 0.0, error_alone = 0.0;
     for (std::size_t i = 0; i < normals.size(); ++i) {
-        const double want = lobe_average(rays, dvec3(normals[i]), 0.25);
+        const double want = lobe_average(rays, dvec3(normals[i]), 0.25).y;
         light += want;
         error_mips += std::abs(double{from_mips[i].y} - want);
         error_alone += std::abs(double{alone[i].y} - want);
@@ -107,7 +65,7 @@ TEST_CASE("52_prefilter: the errors of the page are those against the integral i
 
 TEST_CASE("52_prefilter: a blur moves light and makes none so every level has the mean of the sky") {
     double mean = 0.0;
-    for (const Ray& ray : rays_of_sunset()) mean += ray.w * ray.L / (4.0 * pi);
+    for (const Ray& ray : rays_of_sky(lighting::Sky::sunset, 512)) mean += ray.w * ray.L.y / (4.0 * pi);
     const lighting::CubeMap map = prefilter(lighting::cube_from_sky(lighting::Sky::sunset, 64), {.samples = 512});
     for (int level = 0; level <= map.last_level(); ++level) {
         CAPTURE(level);
