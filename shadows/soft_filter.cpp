@@ -46,7 +46,7 @@ inline float cell_side(float half, float most_cells) {
 /// The most cells of any point on one side.
 inline int most_cells(const Windows& w, int lanes, float limit) {
     float most = 0.0f;
-    for (int i = 0; i < lanes; ++i) {
+    for (int i = 0; i < lanes; ++i) {  // not vectorized: without -ffast-math a maximum is taken in order; once a filter
         const float u = w.half_u.at(i) / w.cell_u.at(i);
         const float v = w.half_v.at(i) / w.cell_v.at(i);
         const float here = u > v ? u : v;
@@ -72,9 +72,12 @@ inline float cell_begin(float at, float cell, float offset) {
     return (std::floor(at / cell) + offset) * cell;
 }
 
-/// Count cell (column, row) of the search for those points to which it blocks a part of the light.
-KREDA_BATCH_LOOP void search_cell(const MapPoints& points, int lanes, const float* distances, const SoftSetup& setup,
-                                  const Windows& w, float column, float row, Channel& sum, Channel& count) {
+// The map and the sums are parameters of their own: see add_tap() in shadow_filters.cpp.
+
+/// The loop of search_cell(). `perspective` is a parameter because GCC only vectorizes where it is a constant.
+inline void search_lanes(const MapPoints& points, int lanes, const float* __restrict distances, const SoftSetup& setup,
+                         bool perspective, const Windows& w, float column, float row, float* __restrict sum,
+                         float* __restrict count) {
     const SoftSetup s = setup;
     for (int i = 0; i < lanes; ++i) {
         const float u = cell_begin(points.u.at(i), w.cell_u.at(i), column) + 0.5f * w.cell_u.at(i);
@@ -83,17 +86,28 @@ KREDA_BATCH_LOOP void search_cell(const MapPoints& points, int lanes, const floa
         const float d_v = v - points.v.at(i);
         const float blocker = distances[points.face_begin[i] + place_of_texel(u, v, s.grid)];
         const float here = points.distance.at(i) + points.slope_u.at(i) * d_u + points.slope_v.at(i) * d_v;
-        const float half = half_cone(s.light_half_width, points.distance.at(i), blocker, s.perspective);
+        const float half = half_cone(s.light_half_width, points.distance.at(i), blocker, perspective);
         const bool in_cone_u = std::abs(d_u) <= half * s.scale.texels_per_unit.x + 0.5f * w.cell_u.at(i);
         const bool in_cone_v = std::abs(d_v) <= half * s.scale.texels_per_unit.y + 0.5f * w.cell_v.at(i);
         const bool blocks = (blocker < here) & in_cone_u & in_cone_v;
-        sum.set(i, sum.at(i) + (blocks ? blocker : 0.0f));
-        count.set(i, count.at(i) + (blocks ? 1.0f : 0.0f));
+        sum[i] += blocks ? blocker : 0.0f;
+        count[i] += blocks ? 1.0f : 0.0f;
+    }
+}
+
+/// Count cell (column, row) of the search for those points to which it blocks a part of the light.
+KREDA_BATCH_LOOP void search_cell(const MapPoints& points, int lanes, const float* __restrict distances,
+                                  const SoftSetup& setup, const Windows& w, float column, float row,
+                                  float* __restrict sum, float* __restrict count) {
+    if (setup.perspective) {
+        search_lanes(points, lanes, distances, setup, true, w, column, row, sum, count);
+    } else {
+        search_lanes(points, lanes, distances, setup, false, w, column, row, sum, count);
     }
 }
 
 KREDA_BATCH_LOOP void start_sums(int lanes, Channel& a, Channel& b) {
-    for (int i = 0; i < lanes; ++i) {
+    for (int i = 0; i < lanes; ++i) {  // not vectorized: GCC makes it calls of memset
         a.set(i, 0.0f);
         b.set(i, 0.0f);
     }
@@ -130,8 +144,9 @@ inline float overlap(float begin, float cell, float at, float half) {
 }
 
 /// Add cell (column, row) of the filter: its area within the window, and that area again where it is lit.
-KREDA_BATCH_LOOP void filter_cell(const MapPoints& points, int lanes, const float* distances, const SoftSetup& setup,
-                                  const Windows& w, float column, float row, Channel& lit, Channel& area) {
+KREDA_BATCH_LOOP void filter_cell(const MapPoints& points, int lanes, const float* __restrict distances,
+                                  const SoftSetup& setup, const Windows& w, float column, float row,
+                                  float* __restrict lit, float* __restrict area) {
     const SoftSetup s = setup;
     for (int i = 0; i < lanes; ++i) {
         const float begin_u = cell_begin(points.u.at(i), w.cell_u.at(i), column);
@@ -143,8 +158,8 @@ KREDA_BATCH_LOOP void filter_cell(const MapPoints& points, int lanes, const floa
         const float here = points.distance.at(i) + points.slope_u.at(i) * (u - points.u.at(i)) +
                            points.slope_v.at(i) * (v - points.v.at(i));
         const float caster = distances[points.face_begin[i] + place_of_texel(u, v, s.grid)];
-        lit.set(i, lit.at(i) + (here <= caster ? weight : 0.0f));
-        area.set(i, area.at(i) + weight);
+        lit[i] += here <= caster ? weight : 0.0f;
+        area[i] += weight;
     }
 }
 
@@ -180,7 +195,7 @@ void find_blockers(const ShadowMap& map, const MapPoints& points, int lanes, Sof
     for (int row = -cells; row <= cells; ++row) {
         for (int column = -cells; column <= cells; ++column) {
             search_cell(points, lanes, map.distance.data(), setup, windows, static_cast<float>(column),
-                        static_cast<float>(row), sum, count);
+                        static_cast<float>(row), sum.value, count.value);
         }
     }
     mean_blocker(lanes, sum, count, soft);
@@ -197,7 +212,7 @@ void filter_penumbra(const ShadowMap& map, const MapPoints& points, int lanes, c
     for (int row = -cells; row <= cells; ++row) {
         for (int column = -cells; column <= cells; ++column) {
             filter_cell(points, lanes, map.distance.data(), setup, windows, static_cast<float>(column),
-                        static_cast<float>(row), lit, area);
+                        static_cast<float>(row), lit.value, area.value);
         }
     }
     share_of_area(lanes, soft, lit, area, shadow);
