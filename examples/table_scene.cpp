@@ -28,6 +28,21 @@ scene::Scene table_scene(glm::ivec2 size) {
     return scene;
 }
 
+scene::Scene sunny_table(glm::ivec2 size) {
+    scene::Scene scene = table_scene(size);
+    scene.lights = {directional_light({-1.0f, -1.1f, -0.6f})};
+    scene.lights[0].shadow = true;
+    scene.shadow.method = shadows::ShadowMethod::map;
+    return scene;
+}
+
+scene::Scene sunny_table_closely(glm::ivec2 size) {
+    scene::Scene scene = sunny_table(size);
+    scene.camera.target = {-0.35f, 0.15f, 0.1f};
+    scene.camera.vertical_fov_deg = 17.0f;
+    return scene;
+}
+
 std::vector<float> shadow_factors(const scene::Scene& scene) {
     scene::RenderBuffers buffers;
     render(scene, make_plan(scene, {scene::find_view("shadow")}), buffers);

@@ -13,10 +13,7 @@ using namespace kreda::examples;
 namespace {
 
 scene::Scene make_scene(glm::ivec2 size) {
-    scene::Scene scene = table_scene(size);
-    scene.lights = {directional_light({-1.0f, -1.1f, -0.6f})};
-    scene.lights[0].shadow = true;
-    scene.shadow.method = shadows::ShadowMethod::map;
+    scene::Scene scene = sunny_table(size);
     scene.shadow.size = 512;
     return scene;
 }

@@ -11,12 +11,7 @@ using shadows::ShadowBias;
 namespace {
 
 scene::Scene make_scene(glm::ivec2 size, ShadowBias bias, float constant_bias) {
-    scene::Scene scene = table_scene(size);
-    scene.camera.target = {-0.35f, 0.15f, 0.1f};
-    scene.camera.vertical_fov_deg = 17.0f;
-    scene.lights = {directional_light({-1.0f, -1.1f, -0.6f})};
-    scene.lights[0].shadow = true;
-    scene.shadow.method = shadows::ShadowMethod::map;
+    scene::Scene scene = sunny_table_closely(size);
     scene.shadow.size = 256;
     scene.shadow.bias = bias;
     scene.shadow.constant_bias = constant_bias;

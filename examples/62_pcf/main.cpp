@@ -10,14 +10,8 @@ using shadows::ShadowFilter;
 
 namespace {
 
-/// A close look at the shadow of the ball.
 scene::Scene make_scene(glm::ivec2 size, int texels, ShadowFilter filter, int radius) {
-    scene::Scene scene = table_scene(size);
-    scene.camera.target = {-0.35f, 0.15f, 0.1f};
-    scene.camera.vertical_fov_deg = 17.0f;
-    scene.lights = {directional_light({-1.0f, -1.1f, -0.6f})};
-    scene.lights[0].shadow = true;
-    scene.shadow.method = shadows::ShadowMethod::map;
+    scene::Scene scene = sunny_table_closely(size);
     scene.shadow.size = texels;
     scene.shadow.filter = filter;
     scene.shadow.radius = radius;

@@ -13,10 +13,7 @@ using namespace kreda::examples;
 namespace {
 
 scene::Scene make_scene(glm::ivec2 size, float light_size) {
-    scene::Scene scene = table_scene(size);
-    scene.lights = {directional_light({-1.0f, -1.1f, -0.6f})};
-    scene.lights[0].shadow = true;
-    scene.shadow.method = shadows::ShadowMethod::map;
+    scene::Scene scene = sunny_table(size);
     scene.shadow.filter = light_size > 0.0f ? shadows::ShadowFilter::pcss : shadows::ShadowFilter::none;
     scene.shadow.light_size = light_size;
     return scene;

@@ -1,5 +1,5 @@
 // 64_planar_shadows: flatten what casts onto the table. Four ways to do it wrong, and the right one.
-// Page docs/64_planar_shadows.md | After 12_camera | New: planar_projection(), planar_shadow()
+// Page docs/64_planar_shadows.md | After 63_soft_shadows | New: planar_projection(), planar_shadow()
 // Break at: planar_shadow | Look at: light_height, toward, polygon | Try: a lamp higher than the pillar
 #include "examples/example.hpp"
 #include "examples/table_scene.hpp"

@@ -19,14 +19,6 @@ using shadows::ShadowMethod;
 
 namespace {
 
-scene::Scene sunny_table(glm::ivec2 size) {
-    scene::Scene scene = examples::table_scene(size);
-    scene.lights = {examples::directional_light({-1.0f, -1.1f, -0.6f})};
-    scene.lights[0].shadow = true;
-    scene.shadow.method = ShadowMethod::map;
-    return scene;
-}
-
 std::vector<float> by_rays(scene::Scene scene) {
     scene.shadow.method = ShadowMethod::exact;
     return examples::shadow_factors(scene);
@@ -49,7 +41,7 @@ double mean(const std::vector<float>& values) {
 
 TEST_CASE("60_depth_from_the_light: the factor in the picture is that of rays but for one pixel in a hundred") {
     const raster::Image panel = linear_panel("60_depth_from_the_light/steps.png", 2, 2, 2);
-    const std::vector<float> exact = by_rays(sunny_table({panel.width, panel.height}));
+    const std::vector<float> exact = by_rays(examples::sunny_table({panel.width, panel.height}));
     int wrong = 0, looked_at = 0;
     for (int y = 0; y < panel.height - 14; ++y) {  // above the caption
         for (int x = 0; x < panel.width; ++x, ++looked_at) {
@@ -57,12 +49,12 @@ TEST_CASE("60_depth_from_the_light: the factor in the picture is that of rays bu
         }
     }
     CHECK(wrong < looked_at / 100);
-    CHECK(make_plan(sunny_table({32, 18})).shadows.at(0).casters.size() ==
+    CHECK(make_plan(examples::sunny_table({32, 18})).shadows.at(0).casters.size() ==
           documented_number("60_depth_from_the_light", "casters"));
 }
 
 TEST_CASE("60_depth_from_the_light: at 2048 texels and the default bias a hundredth is misclassified at most") {
-    scene::Scene scene = sunny_table({320, 180});
+    scene::Scene scene = examples::sunny_table({320, 180});
     scene.shadow.size = 2048;
     CHECK(misclassified(examples::shadow_factors(scene), by_rays(scene)) < 0.002);  // asked for: 0.01
     scene.lights = {examples::point_light(examples::kLampPosition)};
@@ -71,7 +63,7 @@ TEST_CASE("60_depth_from_the_light: at 2048 texels and the default bias a hundre
 }
 
 TEST_CASE("61_acne_and_bias: acne without bias - holes with too much - neither by slope or along the normal") {
-    scene::Scene scene = sunny_table({320, 180});
+    scene::Scene scene = examples::sunny_table({320, 180});
     scene.shadow.size = 256;
     const std::vector<float> exact = by_rays(scene);
     const auto with = [&](ShadowBias bias, float constant) {
@@ -88,7 +80,7 @@ TEST_CASE("61_acne_and_bias: acne without bias - holes with too much - neither b
 }
 
 TEST_CASE("62_pcf: three by three texels give ten levels and leave as much light as no filter") {
-    scene::Scene scene = sunny_table({320, 180});
+    scene::Scene scene = examples::sunny_table({320, 180});
     scene.shadow.size = 96;
     const std::vector<float> plain = examples::shadow_factors(scene);
     scene.shadow.filter = ShadowFilter::pcf;
