@@ -63,15 +63,14 @@ inline glm::vec3 corner_weights(const RunWeights& w, int i) {
     return {q.x * inv_sum, q.y * inv_sum, q.z * inv_sum};
 }
 
-/// Runs that are not longer than this are short: of small triangles most are. Their weights are found together, many
-/// runs side by side.
-constexpr int kShortRun = 4;
+/// Runs that are not longer than this are short: of small triangles most are. (In a debugger every sample is itself.)
+constexpr int kShortRun = kBatchLanes > 1 ? 4 : 1;
 
-/// Corner weights of the samples of one run or of many short ones.
+/// Corner weights of the samples of one run.
 struct WeightRow {
-    alignas(64) float b0[kTileSide + kShortRun];
-    alignas(64) float b1[kTileSide + kShortRun];
-    alignas(64) float b2[kTileSide + kShortRun];
+    alignas(64) float b0[kTileSide];
+    alignas(64) float b1[kTileSide];
+    alignas(64) float b2[kTileSide];
 
     void set(int i, const glm::vec3& b) {
         b0[i] = b.x;
@@ -84,21 +83,12 @@ inline void fill_weights(const RunWeights& w, int lanes, WeightRow& row) {
     for (int i = 0; i < lanes; ++i) row.set(i, corner_weights(w, i));
 }
 
-/// Where in a row of weights a run begins.
-struct RowPart {
-    const WeightRow& row;
-    int first = 0;
-};
-
 /// One component of an attribute along a run: a = b_0 a_0 + b_1 a_1 + b_2 a_2.
-inline void blend(const RowPart& part, int lanes, float a0, float a1, float a2, float* __restrict out) {
-    const float* b0 = part.row.b0 + part.first;
-    const float* b1 = part.row.b1 + part.first;
-    const float* b2 = part.row.b2 + part.first;
-    for (int i = 0; i < lanes; ++i) out[i] = b0[i] * a0 + b1[i] * a1 + b2[i] * a2;
+inline void blend(const WeightRow& row, int lanes, float a0, float a1, float a2, float* __restrict out) {
+    for (int i = 0; i < lanes; ++i) out[i] = row.b0[i] * a0 + row.b1[i] * a1 + row.b2[i] * a2;
 }
 
-inline void blend3(const RowPart& b, int lanes, const glm::vec3* stream, const std::array<std::uint32_t, 3>& vertex,
+inline void blend3(const WeightRow& b, int lanes, const glm::vec3* stream, const std::array<std::uint32_t, 3>& vertex,
                    Channel3& out, int first) {
     const glm::vec3& a0 = stream[vertex[0]];
     const glm::vec3& a1 = stream[vertex[1]];
@@ -153,7 +143,7 @@ struct Attributes {
     const float* fog;
 };
 
-inline void interpolate_uv(const glm::vec2* uv, const std::array<std::uint32_t, 3>& v, const RowPart& b, int lanes,
+inline void interpolate_uv(const glm::vec2* uv, const std::array<std::uint32_t, 3>& v, const WeightRow& b, int lanes,
                            Fragments& out, int first) {
     blend(b, lanes, uv[v[0]].x, uv[v[1]].x, uv[v[2]].x, out.u.value + first);
     blend(b, lanes, uv[v[0]].y, uv[v[1]].y, uv[v[2]].y, out.v.value + first);
@@ -168,8 +158,8 @@ inline void fill_uv_steps(const glm::vec2* uv, const std::array<std::uint32_t, 3
     fill_steps(weights, lanes, t, out.v.value + first, out.dv_dx.value + first, out.dv_dy.value + first);
 }
 
-/// Every sample of a run lies on the same triangle. Its corners are in the order that the screen asks for, so the normals
-/// of the vertices say which side is meant.
+/// Every sample of a run lies on the same triangle. Its corners are in the order that the screen asks for, so the
+/// normals of the vertices say which side is meant.
 inline void fill_face_normal(const glm::vec3* position, const glm::vec3* normal, const std::array<std::uint32_t, 3>& v,
                              int lanes, Channel3& out, int first) {
     const glm::vec3 across = glm::cross(position[v[1]] - position[v[0]], position[v[2]] - position[v[0]]);
@@ -178,7 +168,7 @@ inline void fill_face_normal(const glm::vec3* position, const glm::vec3* normal,
     for (int i = first; i < first + lanes; ++i) out.set(i, face_normal);
 }
 
-inline void interpolate_tangent(const glm::vec4* tangent, const std::array<std::uint32_t, 3>& v, const RowPart& b,
+inline void interpolate_tangent(const glm::vec4* tangent, const std::array<std::uint32_t, 3>& v, const WeightRow& b,
                                 int lanes, Fragments& out, int first) {
     const glm::vec4& t0 = tangent[v[0]];
     const glm::vec4& t1 = tangent[v[1]];
@@ -190,7 +180,7 @@ inline void interpolate_tangent(const glm::vec4* tangent, const std::array<std::
 }
 
 /// All attributes of one run from its weights.
-inline void blend_run(const Attributes& in, const std::array<std::uint32_t, 3>& v, const RowPart& b, int lanes,
+inline void blend_run(const Attributes& in, const std::array<std::uint32_t, 3>& v, const WeightRow& b, int lanes,
                       Fragments& out, int first) {
     if (in.position) blend3(b, lanes, in.position, v, out.position, first);
     if (in.normal) blend3(b, lanes, in.normal, v, out.normal, first);
@@ -217,78 +207,96 @@ inline ScreenVertex corner_of(const BatchTask& task, std::uint32_t vertex) {
     return corner;
 }
 
-inline void interpolate_run(const BatchTask& task, const Run& run, Fragments& out, int first) {
-    const std::array<std::uint32_t, 3> v = task.set.triangle(run.triangle).vertex;
-    const int lanes = lanes_for(run.count);
-    const RunWeights weights = run_weights(corner_of(task, v[0]), corner_of(task, v[1]), corner_of(task, v[2]),
-                                           centre_of(task.area.x + run.x), centre_of(task.area.y + run.y));
-    WeightRow row;
-    fill_weights(weights, lanes, row);
-    blend_run(task.in, v, {row, 0}, lanes, out, first);
-    if (task.with_uv_steps) fill_uv_steps(task.in.uv, v, weights, lanes, out, first);
-}
+/// One corner's share in the weights of runs that are prepared side by side, a lane a run.
+struct CornerRowLanes {
+    alignas(64) double start[kScreenLanes];
+    double step[kScreenLanes];
+    float scale[kScreenLanes];
 
-/// The samples of many short runs: the corners of each sample's triangle, and its centre.
-struct PointLanes {
-    ScreenLanes a, b, c;
-    std::int32_t x[kScreenLanes] = {}, y[kScreenLanes] = {};
-    std::array<std::uint32_t, 3> corners[kScreenLanes];  ///< of each run's triangle
+    void set(int r, const CornerRow& row) {
+        start[r] = row.start;
+        step[r] = row.step;
+        scale[r] = row.scale;
+    }
+    [[nodiscard]] CornerRow at(int r) const {
+        return {start[r], step[r], 0.0, scale[r]};
+    }
 };
 
-inline void weigh_points(const PointLanes& points, int lanes, WeightRow& row) {
-    for (int i = 0; i < lanes; ++i) {
-        const RunWeights w = run_weights(points.a.at(i), points.b.at(i), points.c.at(i), points.x[i], points.y[i]);
-        row.set(i, corner_weights(w, 0));
+/// Runs that are prepared side by side: the corners of their triangles, the centre of the first sample, and the result.
+struct RunLanes {
+    ScreenLanes a, b, c;
+    std::int32_t x[kScreenLanes] = {}, y[kScreenLanes] = {};
+    std::array<std::uint32_t, 3> vertex[kScreenLanes];
+    CornerRowLanes row_a, row_b, row_c;
+    float b0[kScreenLanes], b1[kScreenLanes], b2[kScreenLanes];  ///< weights at the first sample
+
+    void set(int r, const RunWeights& w, const glm::vec3& first) {
+        row_a.set(r, w.a);
+        row_b.set(r, w.b);
+        row_c.set(r, w.c);
+        b0[r] = first.x;
+        b1[r] = first.y;
+        b2[r] = first.z;
     }
+    [[nodiscard]] RunWeights at(int r) const {
+        return {row_a.at(r), row_b.at(r), row_c.at(r)};
+    }
+};
+
+inline RunWeights run_weights(const RunLanes& runs, int r) {
+    return run_weights(runs.a.at(r), runs.b.at(r), runs.c.at(r), runs.x[r], runs.y[r]);
 }
 
-/// Fetch the corners of as many short runs as stand together and fit. Returns the number of runs.
-inline int fetch_short_runs(const BatchTask& task, const Run* runs, int run_count, PointLanes& points, int& samples) {
-    samples = 0;
-    int r = 0;
-    for (; r < run_count && runs[r].count <= kShortRun && samples + kShortRun <= kScreenLanes; ++r) {
+inline void fetch_runs(const BatchTask& task, const Run* runs, int count, RunLanes& out) {
+    for (int r = 0; r < count; ++r) {
         const std::array<std::uint32_t, 3> v = task.set.triangle(runs[r].triangle).vertex;
-        points.corners[r] = v;
-        const ScreenVertex a = corner_of(task, v[0]), b = corner_of(task, v[1]), c = corner_of(task, v[2]);
-        for (int i = 0; i < runs[r].count; ++i, ++samples) {
-            points.a.set(samples, a);
-            points.b.set(samples, b);
-            points.c.set(samples, c);
-            points.x[samples] = centre_of(task.area.x + runs[r].x + i);
-            points.y[samples] = centre_of(task.area.y + runs[r].y);
-        }
+        out.vertex[r] = v;
+        out.a.set(r, corner_of(task, v[0]));
+        out.b.set(r, corner_of(task, v[1]));
+        out.c.set(r, corner_of(task, v[2]));
+        out.x[r] = centre_of(task.area.x + runs[r].x);
+        out.y[r] = centre_of(task.area.y + runs[r].y);
     }
-    return r;
 }
 
-/// As interpolate_run for each of the runs, but all weights are found together. Returns how many runs were done.
-inline int interpolate_short_runs(const BatchTask& task, const Run* runs, int run_count, PointLanes& points,
-                                  Fragments& out, int first) {
-    WeightRow row;
-    int samples = 0;
-    const int taken = fetch_short_runs(task, runs, run_count, points, samples);
-    weigh_points(points, lanes_for(samples), row);
-    int done = 0;
-    for (int r = 0; r < taken; ++r) {
-        blend_run(task.in, points.corners[r], {row, done}, kShortRun, out, first + done);
-        done += runs[r].count;
+inline void prepare_runs(int lanes, RunLanes& runs) {
+    for (int i = 0; i < lanes; ++i) {
+        const RunWeights weights = run_weights(runs, i);
+        runs.set(i, weights, corner_weights(weights, 0));
     }
-    return taken;
+}
+
+/// All attributes of prepared run r into the samples from `first` on. Where the number of lanes is a constant the loops
+/// unroll: most runs of small triangles hold one sample or a few.
+inline void interpolate_run(const BatchTask& task, const RunLanes& runs, int r, int count, Fragments& out, int first) {
+    WeightRow row;
+    if (count == 1) {
+        row.set(0, {runs.b0[r], runs.b1[r], runs.b2[r]});
+        blend_run(task.in, runs.vertex[r], row, 1, out, first);
+    } else if (count <= kShortRun) {
+        fill_weights(runs.at(r), kShortRun, row);
+        blend_run(task.in, runs.vertex[r], row, kShortRun, out, first);
+    } else {
+        fill_weights(runs.at(r), lanes_for(count), row);
+        blend_run(task.in, runs.vertex[r], row, lanes_for(count), out, first);
+    }
+    if (task.with_uv_steps)
+        fill_uv_steps(task.in.uv, runs.vertex[r], run_weights(runs, r), lanes_for(count), out, first);
 }
 
 KREDA_BATCH_LOOP void interpolate_all(const BatchTask& batch, const Run* runs, int run_count, Fragments& out) {
     const BatchTask task = batch;
-    const bool side_by_side = kBatchLanes > 1 && !task.with_uv_steps;
-    PointLanes points;
+    RunLanes prepared;
     int first = 0;
-    for (int r = 0; r < run_count;) {
-        int taken = 1;
-        if (side_by_side && runs[r].count <= kShortRun) {
-            taken = interpolate_short_runs(task, runs + r, run_count - r, points, out, first);
-        } else {
-            interpolate_run(task, runs[r], out, first);
+    for (int done = 0; done < run_count; done += kScreenLanes) {
+        const int count = std::min(run_count - done, kScreenLanes);
+        fetch_runs(task, runs + done, count, prepared);
+        prepare_runs(lanes_for(count), prepared);
+        for (int r = 0; r < count; ++r) {
+            interpolate_run(task, prepared, r, runs[done + r].count, out, first);
+            first += runs[done + r].count;
         }
-        for (int end = r + taken; r < end; ++r) first += runs[r].count;
     }
     out.count = first;
 }
