@@ -1,6 +1,7 @@
 // Cube maps: directions and texels map to each other, solid angles are exact, mips keep the light, no seams.
 #include <algorithm>
 #include <cmath>
+#include <memory>
 #include <numbers>
 #include <random>
 
@@ -163,4 +164,28 @@ TEST_CASE("cube map: trilinear is the mean of two levels half way and clamps bey
     CHECK(largest_difference(sample_trilinear(map, d, 1.5f), mean) < 1e-6);
     CHECK(sample_trilinear(map, d, -3.0f) == sample_level(map, 0, d));
     CHECK(largest_difference(sample_trilinear(map, d, 99.0f), sample_level(map, map.last_level(), d)) < 1e-6);
+}
+
+TEST_CASE("cube map: a batch with one lod for all has the bits of a lod each and the value of one point") {
+    const CubeMap map = random_map(16);
+    struct Batch {
+        kreda::raster::Channel3 d, each, common;
+        kreda::raster::Channel lod;
+        TapScratch taps;
+    };
+    const auto batch = std::make_unique<Batch>();
+    constexpr int kLanes = 64;
+    std::mt19937 random(11);
+    std::uniform_real_distribution<float> component(-1.0f, 1.0f);
+    for (int i = 0; i < kLanes; ++i) batch->d.set(i, {component(random), component(random), component(random)});
+    for (const float lod : {-1.0f, 0.0f, 0.3f, 1.0f, 2.7f, 4.0f, 9.0f}) {
+        for (int i = 0; i < kLanes; ++i) batch->lod.set(i, lod);
+        sample_trilinear(map, kLanes, batch->d, batch->lod, batch->taps, batch->each);
+        sample_trilinear(map, kLanes, batch->d, lod, batch->taps, batch->common);
+        for (int i = 0; i < kLanes; ++i) {
+            CHECK(batch->common.at(i) == batch->each.at(i));
+            // texels in [0, 1]; the batch multiplies the levels' shares into its weights: a few roundings of 6e-8
+            CHECK(largest_difference(batch->common.at(i), sample_trilinear(map, batch->d.at(i), lod)) < 1e-6);
+        }
+    }
 }
