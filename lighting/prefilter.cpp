@@ -160,7 +160,7 @@ std::vector<glm::vec3> prefiltered_radiance(const CubeMap& radiance, const std::
     colors.reserve(n.size());
     for (int first = 0; first < total; first += kChunk) {
         const int count = std::min(kChunk, total - first), lanes = raster::lanes_for(count);
-        for (int i = 0; i < lanes; ++i) {
+        for (int i = 0; i < lanes; ++i) {  // not vectorized: once a lobe; the directions lie one behind the other
             scratch->n.set(i, glm::normalize(n[static_cast<std::size_t>(first + std::min(i, count - 1))]));
         }
         filter_batch(radiance, lobe, lanes, *scratch);
