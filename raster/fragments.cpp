@@ -244,7 +244,7 @@ struct RunLanes {
     }
 };
 
-inline RunWeights run_weights(const RunLanes& runs, int r) {
+inline RunWeights weights_of(const RunLanes& runs, int r) {
     return run_weights(runs.a.at(r), runs.b.at(r), runs.c.at(r), runs.x[r], runs.y[r]);
 }
 
@@ -262,7 +262,7 @@ inline void fetch_runs(const BatchTask& task, const Run* runs, int count, RunLan
 
 inline void prepare_runs(int lanes, RunLanes& runs) {
     for (int i = 0; i < lanes; ++i) {
-        const RunWeights weights = run_weights(runs, i);
+        const RunWeights weights = weights_of(runs, i);
         runs.set(i, weights, corner_weights(weights, 0));
     }
 }
@@ -282,7 +282,7 @@ inline void interpolate_run(const BatchTask& task, const RunLanes& runs, int r, 
         blend_run(task.in, runs.vertex[r], row, lanes_for(count), out, first);
     }
     if (task.with_uv_steps)
-        fill_uv_steps(task.in.uv, runs.vertex[r], run_weights(runs, r), lanes_for(count), out, first);
+        fill_uv_steps(task.in.uv, runs.vertex[r], weights_of(runs, r), lanes_for(count), out, first);
 }
 
 KREDA_BATCH_LOOP void interpolate_all(const BatchTask& batch, const Run* runs, int run_count, Fragments& out) {
