@@ -11,6 +11,9 @@
 #include "examples/table_scene.hpp"
 #include "raster/film.hpp"
 #include "raster/shapes.hpp"
+#include "scene/render.hpp"
+#include "shadows/compare.hpp"
+#include "shadows/light_ray.hpp"
 #include "shadows/silhouette.hpp"
 
 using namespace kreda;
@@ -124,7 +127,157 @@ double wrong_in_panel(int panel) {
     return 100.0 * wrong / seen;
 }
 
+/// How far the surface at a sample is from the nearest way on which the lamp's rays leave it: the way along the ray to
+/// the triangle that shadows the sample, times the sine of the angle between ray and surface.
+double distance_to_border(const scene::Scene& scene, const scene::RenderBuffers& buffers, std::size_t sample) {
+    const dvec3 p(buffers.visible.position[sample]), to_light = dvec3(scene.lights[0].position) - p;
+    const auto corner = [&](std::uint32_t vertex) { return dvec3(buffers.streams.position_world[vertex]); };
+    const auto [a, b, c] = buffers.triangles.triangle(buffers.visible.triangle[sample]).vertex;
+    const dvec3 n = glm::normalize(glm::cross(corner(b) - corner(a), corner(c) - corner(a)));
+    const double sine = std::abs(glm::dot(n, glm::normalize(to_light)));
+    const shadows::LightRay ray = shadows::light_ray(glm::dvec4(dvec3(scene.lights[0].position), 1.0), glm::vec3(p));
+    double nearest = 1e9;
+    for (const raster::MeshInstance& instance : buffers.instances) {
+        for (std::size_t i = 0; i < instance.mesh->indices.size(); i += 3) {
+            const std::uint32_t* vertex = &instance.mesh->indices[i];
+            const auto place = [&](int k) { return buffers.streams.position_world[instance.first_vertex + vertex[k]]; };
+            const shadows::Triangle triangle{place(0), place(1), place(2)};
+            const glm::dvec4 light(dvec3(scene.lights[0].position), 1.0);
+            if (!shadows::shadows_point(ray, triangle, light, glm::vec3(p))) continue;
+            const dvec3 across =
+                glm::cross(dvec3(triangle.b) - dvec3(triangle.a), dvec3(triangle.c) - dvec3(triangle.a));
+            const double t = glm::dot(across, dvec3(triangle.a) - p) / glm::dot(across, to_light);
+            nearest = std::min(nearest, t * glm::length(to_light) * sine);
+        }
+    }
+    return nearest;
+}
+
+/// Does a point of the table lie under the box or the pillar?
+bool under_a_thing(dvec3 q) {
+    using namespace examples;
+    const auto inside = [&](dvec3 centre, dvec3 half) {
+        return std::abs(q.x - centre.x) <= half.x && std::abs(q.z - centre.z) <= half.z;
+    };
+    return inside(kBoxCentre, kBoxHalfSize) || inside(kPillarCentre, kPillarHalfSize);
+}
+
+/// Things between a point of the table and a light.
+int things_before(const shadows::ShadowLight& light, dvec3 q) {
+    const glm::dvec4 source = shadows::homogeneous(light);
+    return things_met(q, shadows::toward_light(source, q), source.w > 0.0 ? 1.0 : 1e9);
+}
+
+/// How long a texel of the light's map is on the table, at most. [world units]
+double texel_on_table(const scene::PlannedShadow& shadow, dvec3 q) {
+    const shadows::LightView& view = shadow.map.views.front();
+    const dvec3 to_light = shadows::toward_light(shadows::homogeneous(shadow.source), q);
+    const double distance = view.perspective ? glm::length(to_light) : 1.0;
+    return 2.0 * double{std::max(view.half_size.x, view.half_size.y)} / shadow.map.settings.size * distance /
+           (to_light.y / glm::length(to_light));
+}
+
+/// The table with a knot and an open pot on it, as 67_methods_compared draws it.
+scene::Scene crowded_table(glm::ivec2 size) {
+    scene::Scene scene = examples::table_scene(size);
+    const auto knot = examples::matte(examples::kRed), pot = examples::matte(examples::kChalk);
+    examples::add_scaled_shape(scene, "torus_knot", 160, {-1.1f, 0.5f, -0.5f}, glm::vec3(0.27f), knot);
+    examples::add_scaled_shape(scene, "teapot", 10, {1.05f, 0.0f, -0.55f}, glm::vec3(0.5f), pot);
+    return scene;
+}
+
+/// A sun, a lamp and a spot that cast shadows.
+std::vector<lighting::Light> lights_of_every_kind() {
+    lighting::Light sun = examples::directional_light({-1.0f, -1.1f, -0.6f});
+    lighting::Light lamp = examples::point_light(examples::kLampPosition);
+    sun.shadow = lamp.shadow = true;
+    lighting::Light spot = lamp;
+    spot.type = lighting::LightType::spot;
+    spot.direction = {-1.2f, -1.35f, -0.1f};
+    spot.inner_cone_deg = 50.0f;
+    spot.outer_cone_deg = 58.0f;
+    return {sun, lamp, spot};
+}
+
+/// Samples of the table where the map is wrong farther than two texels from the edge of the shadow and from the foot of
+/// what stands on it. dark: acne, lit: a leak.
+struct FarFromEdges {
+    int seen = 0, acne = 0, leaks = 0;
+};
+
+FarFromEdges wrong_beyond_two_texels(const scene::Scene& scene) {
+    scene::RenderBuffers buffers;
+    const scene::RenderPlan plan = make_plan(scene, {scene::find_view("shadow"), scene::find_view("position")});
+    render(scene, plan, buffers);
+    FarFromEdges found;
+    for (std::size_t i = 0; i < buffers.views[0].plane_size(); ++i) {
+        const float* plane = buffers.views[1].plane(0);
+        const std::size_t step = buffers.views[1].plane_size();
+        const dvec3 p(plane[i], plane[i + step], plane[i + 2 * step]);
+        if (p == dvec3(0.0) || std::abs(p.y) > 1e-5) continue;
+        ++found.seen;
+        const bool is_lit = buffers.views[0].values[i] >= 0.5f, is_dark = things_before(plan.shadows[0].source, p) > 0;
+        if (is_lit != is_dark) continue;
+        bool near_edge = false;
+        for (int k = 0; k < 32; ++k) {
+            const double angle = k * std::acos(-1.0) / 8.0,
+                         reach = (k < 16 ? 2.0 : 1.0) * texel_on_table(plan.shadows[0], p);
+            const dvec3 q = p + reach * dvec3(std::cos(angle), 0.0, std::sin(angle));
+            near_edge |= under_a_thing(q) || (things_before(plan.shadows[0].source, q) > 0) != is_dark;
+        }
+        if (!near_edge) (is_lit ? found.leaks : found.acne) += 1;
+    }
+    return found;
+}
+
 }  // namespace
+
+TEST_CASE("61 acne and bias: with the default bias no acne and no leak beyond two texels for every kind of light") {
+    for (const lighting::Light& light : lights_of_every_kind()) {
+        for (const int size : {256, 1024}) {
+            for (const shadows::ShadowBias bias : {shadows::ShadowBias::slope, shadows::ShadowBias::normal_offset}) {
+                scene::Scene scene = examples::sunny_table({480, 270});
+                scene.lights = {light};
+                scene.shadow.size = size;
+                scene.shadow.bias = bias;
+                const FarFromEdges wrong = wrong_beyond_two_texels(scene);
+                CAPTURE(static_cast<int>(light.type));
+                CAPTURE(size);
+                CAPTURE(static_cast<int>(bias));
+                CHECK(wrong.seen > 20000);
+                CHECK(wrong.acne == 0);
+                CHECK(wrong.leaks == 0);
+            }
+        }
+    }
+}
+
+TEST_CASE("61 acne and bias: too much bias leaks beyond two texels") {
+    scene::Scene scene = examples::sunny_table({480, 270});
+    scene.shadow.size = 256;
+    scene.shadow.bias = shadows::ShadowBias::constant;
+    scene.shadow.constant_bias = 0.3f;
+    CHECK(wrong_beyond_two_texels(scene).leaks > 50);
+}
+
+TEST_CASE("61 acne and bias: with the default bias nothing has acne and one pixel in a hundred is wrong at most") {
+    for (const lighting::Light& light : lights_of_every_kind()) {
+        scene::Scene scene = crowded_table({480, 270});
+        scene.lights = {light};
+        scene.shadow.method = shadows::ShadowMethod::irregular;  // exact, and it keeps what is seen
+        const std::vector<const scene::View*> views = {scene::find_view("shadow")};
+        scene::RenderBuffers exact, map;
+        render(scene, make_plan(scene, views), exact);
+        scene.shadow.method = shadows::ShadowMethod::map;
+        scene.shadow.size = 2048;
+        render(scene, make_plan(scene, views), map);
+        const shadows::ShadowError error =
+            compare_shadows(exact.visible.samples(), exact.views[0].values, map.views[0].values, 2);
+        CAPTURE(static_cast<int>(light.type));
+        CHECK(error.acne == 0);
+        CHECK(error.misclassified_share() < 0.01);  // measured 0.0057 with the spot: rays go on beyond its cone, too
+    }
+}
 
 TEST_CASE("64 planar shadows: the table is dark where something stands before the lamp") {
     int seen = 0;
@@ -161,6 +314,34 @@ TEST_CASE("65 shadow volumes: caps and silhouette of the box are those on the pa
         shadows::find_volume({box.positions, box.indices, false}, glm::dvec4(dvec3(examples::kLampPosition), 1.0));
     CHECK(static_cast<double>(shape.caps.size()) == documented_number("65_shadow_volumes", "caps"));
     CHECK(static_cast<double>(shape.sides.size()) == documented_number("65_shadow_volumes", "edges"));
+}
+
+TEST_CASE("65 shadow volumes: what is wrong away from edges lies within the snap of a corner from a volume's side") {
+    // A surface that turns away from the lamp leaves the border of its volume at a small angle: for a while the two are
+    // nearer than 1/256 of a sample, to which the sides' corners snap, and depth cannot tell them apart.
+    int wrong = 0;
+    std::uint64_t seen = 0;
+    for (int k = 0; k < 12; ++k) {
+        scene::Scene scene = crowded_table({960, 540});
+        scene.lights[0].position += 0.1f * static_cast<float>(k) * glm::vec3(-1.0f, 0.5f, 0.7f);
+        const std::vector<float> exact = examples::shadow_factors(scene);
+        scene.shadow.method = shadows::ShadowMethod::volume;
+        scene::RenderBuffers buffers;
+        render(scene, make_plan(scene, {scene::find_view("shadow")}), buffers);
+        const shadows::VisibleSamples samples = buffers.visible.samples();
+        const std::vector<bool> near_edge = shadows::near_edges(samples, exact, 2);
+        for (std::size_t i = 0; i < exact.size(); ++i) {
+            if (samples.depth[i] == raster::kClearDepth) continue;
+            ++seen;
+            if (near_edge[i] || (exact[i] < 0.5f) == (buffers.views[0].values[i] < 0.5f)) continue;
+            ++wrong;
+            const dvec3 to_eye = dvec3(scene.camera.position) - dvec3(samples.position[i]);
+            const double sample = glm::length(to_eye) * 2.0 * std::tan(glm::radians(16.0)) / scene.image.height;
+            CHECK(distance_to_border(scene, buffers, i) < sample / 64.0);
+        }
+    }
+    CHECK(wrong > 0);  // else there is nothing to explain
+    CHECK(static_cast<double>(wrong) < 5e-5 * static_cast<double>(seen));
 }
 
 TEST_CASE("66 irregular z-buffer: its edges are where they are by hand and the map's are not") {
