@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <string_view>
 
+#include "scene/shadow_cost.hpp"
+
 namespace kreda::scene {
 
 namespace {
@@ -106,9 +108,9 @@ LitObjects look_at_objects(const Scene& scene) {
 double lighting_operations(const Scene& scene, const RenderPlan& plan, const LitObjects& objects) {
     constexpr double kWithoutLights = 6.0;               // ambient, the sum
     constexpr double kDirections = kUnit + 3.0 + kUnit;  // n, v
-    constexpr double kShadowLookUp = 40.0;               // a texel of the map; filters read more
     if (!objects.lit) return kWithoutLights;
-    double operations = kWithoutLights + kDirections + kShadowLookUp * static_cast<double>(plan.shadows.size());
+    double operations = kWithoutLights + kDirections;
+    for (const PlannedShadow& shadow : plan.shadows) operations += shadow_look_up_operations(scene, shadow);
     for (const lighting::Light& light : scene.lights) {
         if (light.on) operations += light_operations(light) + objects.dearest_light;
     }
@@ -159,12 +161,6 @@ double environment_operations(const Scene& scene, const RenderPlan& plan) {
     const int reference = scene.environment.reference;
     if (reference > 0) return static_cast<double>(reference) * 2.0 * kSample;
     return kIrradiance + (plan.environment.blurred ? kSpecular : 0.0);
-}
-
-/// Every texel once, as in the visibility pass.
-PassCost shadow_map_cost(const PlannedShadow& shadow) {
-    const auto side = static_cast<std::uint64_t>(shadow.map.settings.size);
-    return {"texels", shadow.map.views.size() * side * side, 14.0};
 }
 
 }  // namespace
@@ -228,9 +224,6 @@ void estimate_costs(const Scene& scene, RenderPlan& plan) {
             std::find_if(known.begin(), known.end(), [&](const auto& entry) { return entry.first == pass.name; });
         if (found != known.end()) pass.cost = found->second;
         if (pass.name.starts_with("maps of ")) pass.cost = {"samples", samples, map_operations(pass)};
-        for (const PlannedShadow& shadow : plan.shadows) {
-            if (pass.name == "shadow map of light " + std::to_string(shadow.light)) pass.cost = shadow_map_cost(shadow);
-        }
     }
 }
 

@@ -18,7 +18,7 @@ namespace kreda::scene {
 /// Operations that sampling one light takes at one point.
 [[nodiscard]] double light_operations(const lighting::Light& light);
 
-/// Fill in PlannedPass::cost of every pass of the plan that is known here.
+/// Fill in PlannedPass::cost of every pass of the plan that is known here; shadows have theirs (shadow_cost.hpp).
 void estimate_costs(const Scene& scene, RenderPlan& plan);
 
 /// Operations of what is baked before the first frame.

@@ -4,6 +4,7 @@
 
 #include "raster/mesh_checks.hpp"
 #include "scene/extent.hpp"
+#include "scene/shadow_cost.hpp"
 #include "shadows/bvh.hpp"
 #include "shadows/light_grid.hpp"
 
@@ -86,7 +87,7 @@ PlannedPass pass_of(const Scene& scene, const PlannedShadow& shadow, const raste
     return {account.name + " of light " + std::to_string(shadow.light),
             "shadow = true: " + std::to_string(shadow.casters.size()) + " of " + std::to_string(scene.objects.size()) +
                 " objects can cast onto what is seen; " + account.how,
-            std::move(account.buffers)};
+            std::move(account.buffers), shadow_pass_cost(scene, shadow, samples)};
 }
 
 std::vector<std::string> shadow_warnings(const Scene& scene) {

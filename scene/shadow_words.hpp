@@ -6,7 +6,7 @@
 
 namespace kreda::scene {
 
-/// The pass that finds a light's shadows, why, and what it keeps in memory.
+/// The pass that finds a light's shadows, why, what it keeps in memory and what it costs.
 [[nodiscard]] PlannedPass pass_of(const Scene& scene, const PlannedShadow& shadow, const raster::Viewport& viewport);
 
 /// What is odd but not wrong about the scene's shadows, a line each: occluders of shadow volumes that are not closed,

@@ -4,6 +4,7 @@
 
 #include <doctest/doctest.h>
 
+#include "scene/plan_cost.hpp"
 #include "scene/read_scene.hpp"
 #include "scene/render.hpp"
 
@@ -154,4 +155,28 @@ TEST_CASE("shadow methods: the plan names the method and what it keeps") {
         CAPTURE(method);
         CHECK(std::any_of(plan.passes.begin(), plan.passes.end(), is_it));
     }
+}
+
+TEST_CASE("shadow methods: the plan says what each costs and more for more casters and wider filters") {
+    const auto cost = [](const std::string& method, const std::string& more = "") {
+        const RenderPlan plan = make_plan(read_scene_text(room(method, more), "test", ""));
+        CHECK(describe(plan, false).find("without an estimate") == std::string::npos);
+        return total_operations(plan);
+    };
+    const std::string ball = "[[object]]\nmesh = \"sphere\"\nscale = 0.2\ntranslate = [0, 1, 1]\n";
+    const std::string unseen = "casts_shadow = false\n";
+    for (const std::string method : {"map", "exact", "planar", "volume", "irregular"}) {
+        CAPTURE(method);
+        CHECK(cost(method) > 0.0);
+        const double with = cost(method, ball), without = cost(method, ball + unseen);
+        if (method != "map") CHECK(with > without);  // a map is as large whatever it shows
+    }
+    const auto light_pixels = [](const std::string& filter) {
+        Scene scene = read_scene_text(room("map"), "test", "");
+        scene.shadow.filter = filter == "pcf" ? shadows::ShadowFilter::pcf : shadows::ShadowFilter::pcss;
+        scene.shadow.radius = filter == "pcf" ? 1 : 0;
+        return total_operations(make_plan(scene));
+    };
+    CHECK(cost("map") < light_pixels("pcf"));
+    CHECK(light_pixels("pcf") < light_pixels("pcss"));
 }
