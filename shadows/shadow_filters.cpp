@@ -12,8 +12,9 @@ using raster::Channel;
 using raster::Channel3;
 using raster::lanes_for;
 
-KREDA_BATCH_LOOP void locate_parallel(const Channel3& position, const Channel3& normal, int lanes,
-                                      const LightView& light_view, int size, const BiasTerms& terms, MapPoints& out) {
+/// The loop of locate_in_picture(). `perspective` is a parameter because GCC only vectorizes where it is a constant.
+inline void locate_lanes(const Channel3& position, const Channel3& normal, int lanes, const LightView& light_view,
+                         int size, const BiasTerms& terms, bool perspective, MapPoints& out) {
     const glm::mat3 axes = light_view.view_from_world;
     const glm::vec3 origin = light_view.origin;
     const PictureScale scale = picture_scale(light_view, size);
@@ -21,21 +22,18 @@ KREDA_BATCH_LOOP void locate_parallel(const Channel3& position, const Channel3& 
     for (int i = 0; i < lanes; ++i) {
         const glm::vec3 q = axes * (position.at(i) - origin);
         const glm::vec3 n = axes * unit_or_zero(normal.at(i));
-        out.set(i, map_point_parallel(q, n, scale, bias), 0);
+        out.set(i, perspective ? map_point_perspective(q, n, scale, bias) : map_point_parallel(q, n, scale, bias), 0);
     }
 }
 
-KREDA_BATCH_LOOP void locate_perspective(const Channel3& position, const Channel3& normal, int lanes,
-                                         const LightView& light_view, int size, const BiasTerms& terms,
-                                         MapPoints& out) {
-    const glm::mat3 axes = light_view.view_from_world;
-    const glm::vec3 origin = light_view.origin;
-    const PictureScale scale = picture_scale(light_view, size);
-    const BiasTerms bias = terms;
-    for (int i = 0; i < lanes; ++i) {
-        const glm::vec3 q = axes * (position.at(i) - origin);
-        const glm::vec3 n = axes * unit_or_zero(normal.at(i));
-        out.set(i, map_point_perspective(q, n, scale, bias), 0);
+/// The points in the one picture of a directional light or a spot.
+KREDA_BATCH_LOOP void locate_in_picture(const Channel3& position, const Channel3& normal, int lanes,
+                                        const LightView& light_view, int size, const BiasTerms& terms,
+                                        MapPoints& out) {
+    if (light_view.perspective) {
+        locate_lanes(position, normal, lanes, light_view, size, terms, true, out);
+    } else {
+        locate_lanes(position, normal, lanes, light_view, size, terms, false, out);
     }
 }
 
@@ -118,8 +116,7 @@ KREDA_BATCH_LOOP void nearest_blocker(const MapPoints& points, const Texels& tex
 void locate(const ShadowMap& map, const Channel3& position, const Channel3& n, int lanes, MapPoints& points) {
     const LightView& view = map.plan.views.front();
     const BiasTerms bias = bias_terms(map.plan.settings, view.far - view.near);
-    if (!view.perspective) return locate_parallel(position, n, lanes, view, map.size(), bias, points);
-    if (map.plan.views.size() == 1) return locate_perspective(position, n, lanes, view, map.size(), bias, points);
+    if (map.plan.views.size() == 1) return locate_in_picture(position, n, lanes, view, map.size(), bias, points);
     locate_in_cube(position, n, lanes, view, map.size(), map.face_stride(), bias, points);
 }
 
