@@ -165,15 +165,16 @@ private:
         write_map_file(path(key), full_text(key), floats);
     }
 
-    /// With a word to git and to backup programs that nothing in it is worth keeping.
+    /// A new folder tells git and backup programs that nothing in it is worth keeping; one that is somebody's own does
+    /// not: their work may lie there.
     void make_folder() const {
-        const auto write_text = [&](const char* name, const std::string& text) {
-            const fs::path file = fs::path(folder_) / name;
-            if (!fs::exists(file)) write_whole_file(file.string(), {std::as_bytes(std::span(text))});
-        };
         std::error_code failed;
-        fs::create_directories(folder_, failed);
+        const bool is_new = fs::create_directories(folder_, failed);
         if (failed) throw UserError(Place{folder_}, "this folder cannot be made: " + failed.message());
+        if (!is_new) return;
+        const auto write_text = [&](const char* name, const std::string& text) {
+            write_whole_file((fs::path(folder_) / name).string(), {std::as_bytes(std::span(text))});
+        };
         write_text(".gitignore", "*\n");
         write_text("CACHEDIR.TAG",
                    "Signature: 8a477f597d28d172789f06886806bc55\n# Maps that kreda baked. Delete them at will.\n");

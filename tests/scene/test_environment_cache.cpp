@@ -180,6 +180,14 @@ TEST_CASE("environment cache: it lies beside the scene file and tells git to ign
     CHECK(bytes_of(folder.file("maps/CACHEDIR.TAG")).starts_with("Signature: 8a477f597d28d172789f06886806bc55"));
 }
 
+TEST_CASE("environment cache: a folder with work of its own is not hidden from git") {
+    const TempFolder folder;
+    folder.write("homework.txt", "done");
+    CHECK(cached(ball(), folder.path.string()).report.why_not_kept.empty());
+    CHECK_FALSE(std::filesystem::exists(folder.path / ".gitignore"));
+    CHECK_FALSE(std::filesystem::exists(folder.path / "CACHEDIR.TAG"));
+}
+
 TEST_CASE("map file: floats come back for their key alone") {
     const TempFolder folder;
     const std::vector<float> floats{1.0f, -0.0f, 3e-42f, 7.0f};
