@@ -243,7 +243,7 @@ Examples:
   kreda render bunny.obj                                         any mesh, the camera in front of it
   kreda render scene.toml -o picture.exr --size 1920x1080        linear float, before tone mapping
   kreda render scene.toml --set camera.position=[0,1,4] --samples 4
-  kreda render scene.toml --cache /tmp/maps                      keep the environment's maps there
+  kreda render scene.toml --cache ../maps                        keep the environment's maps there
   kreda render scene.toml --view normal -o normal.png
   kreda render scene.toml --light 0 --view light_depth           what light.0 sees: its shadow map
   kreda render scene.toml -o slide.png --slides dark             1920 x 1080 with title and caption
