@@ -1,5 +1,7 @@
 // kreda bake: an environment's maps as files.
 #include <algorithm>
+#include <cmath>
+#include <cstdlib>
 #include <filesystem>
 #include <iostream>
 #include <memory>
@@ -49,9 +51,13 @@ int index_of(const std::vector<std::string>& words, const std::string& word) {
     return found == words.end() ? -1 : static_cast<int>(found - words.begin());
 }
 
-CLI::Range range_of(const char* key) {
+/// What a key of the environment allows. CLI::Range alone lets NaN pass.
+CLI::Validator range_of(const char* key) {
     const scene::Range& range = scene::find_key("environment", key)->range;
-    return CLI::Range(range.least, range.greatest);
+    const CLI::Validator is_number(
+        [](const std::string& text) { return std::isnan(std::strtod(text.c_str(), nullptr)) ? text + " is no number" : ""; },
+        "");
+    return is_number & CLI::Range(range.least, range.greatest);
 }
 
 /// Says what the word is not, and what it might have been.

@@ -212,6 +212,8 @@ TEST_CASE("bake: what cannot be baked is refused with the remedy and writes no f
     refused({"bake", "studio", "-o", "file"}, "file: this folder cannot be made");
     refused({"bake", "studio"}, "--output");
     refused({"bake", "studio", "-o", "o", "--samples", "3"}, "--samples");
+    refused({"bake", "studio", "-o", "o", "--rotation", "nan"}, "--rotation");
+    refused({"bake", "studio", "-o", "o", "--intensity", "nan"}, "--intensity");
     refused({"bake", "studio", "-o", "o", "--geometry", "smth"}, "--geometry");
     if (geteuid() != 0) {  // root may write everywhere
         namespace fs = std::filesystem;
