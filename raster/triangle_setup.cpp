@@ -105,7 +105,7 @@ void list_triangles(const ChunkTask& task, const MeshInstance& instance, const F
     list.count = 0;
     list.make_room(kTrianglesPerChunk + 1);
     const std::uint32_t* index = &instance.mesh->indices[3 * std::size_t{task.first_triangle}];
-    JudgeLanes lanes;
+    JudgeLanes lanes{};  // lanes behind the last triangle are judged, too
     ScreenTriangle triangle;
     triangle.material = instance.part_material[task.part];
     for (std::uint32_t first = 0; first < task.triangle_count; first += kScreenLanes, index += 3 * kScreenLanes) {

@@ -38,8 +38,7 @@ int samples_covered(const ScreenVertex& a, ScreenVertex b, ScreenVertex c) {
 
 }  // namespace
 
-TEST_CASE(
-    "A triangle that covers a sample of the image is drawn; a small one inside the image that covers none is not") {
+TEST_CASE("A triangle that covers a sample is drawn and a small one in the image that covers none is not") {
     std::mt19937 random(2024);
     int drawn = 0, left_out = 0;
     for (int k = 0; k < 20000; ++k) {
