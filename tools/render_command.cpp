@@ -1,5 +1,6 @@
 // kreda render: a scene file becomes a picture.
 #include <algorithm>
+#include <cmath>
 #include <filesystem>
 #include <iostream>
 #include <memory>
@@ -110,7 +111,11 @@ void write_view(const std::string& path, const scene::View& view, const raster::
         const scene::ViewPicture picture = picture_of(view, values, scene);
         scene::write_png(path, picture.encoded);
         for (const scene::ValueRange& range : picture.ranges) {
-            std::cerr << "black is " << range.least << ", white is " << range.greatest << "\n";
+            if (std::isfinite(range.least)) {
+                std::cerr << "black is " << range.least << ", white is " << range.greatest << "\n";
+            } else {
+                std::cerr << "all of it is background\n";
+            }
         }
     }
     std::cerr << "wrote " << path << " (" << values.width << " x " << values.height << "), " << view.name << ": "
