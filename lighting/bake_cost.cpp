@@ -6,15 +6,17 @@ namespace kreda::lighting {
 
 namespace {
 
-constexpr double kDirection = 25.0;   // a point of a face, made a unit vector
-constexpr double kToWorld = 15.0;     // three products of vectors, added
-constexpr double kCubeTap = 35.0;     // face, column, row, four weights
-constexpr double kEquirectTap = 75.0; // two arcus tangents among it
-constexpr double kFourTexels = 28.0;  // four floats each
-constexpr double kWeighted = 6.0;     // three channels times a weight, added
-constexpr double kFacet = 110.0;      // a facet that v sees, its mirrored direction, D, G and the sum
+constexpr double kDirection = 25.0;    // a point of a face, made a unit vector
+constexpr double kToWorld = 15.0;      // three products of vectors, added
+constexpr double kCubeTap = 35.0;      // face, column, row, four weights
+constexpr double kEquirectTap = 75.0;  // two arcus tangents among it
+constexpr double kFourTexels = 28.0;   // four floats each
+constexpr double kWeighted = 6.0;      // three channels times a weight, added
+constexpr double kFacet = 110.0;       // a facet that v sees, its mirrored direction, D, G and the sum
 
-std::uint64_t texels_of(int size) { return std::uint64_t(kCubeFaces) * std::uint64_t(size) * std::uint64_t(size); }
+std::uint64_t texels_of(int size) {
+    return std::uint64_t(kCubeFaces) * std::uint64_t(size) * std::uint64_t(size);
+}
 
 std::uint64_t bytes_of(const std::vector<int>& sizes) {
     std::uint64_t bytes = 0;
@@ -26,7 +28,8 @@ std::uint64_t bytes_of(const std::vector<int>& sizes) {
 
 BakeCost cube_cost(int size, int n) {
     const auto directions = std::uint64_t(n) * std::uint64_t(n);
-    return {texels_of(size) * directions, kDirection + kEquirectTap + kFourTexels + kWeighted, bytes_of(mip_sizes(size))};
+    return {texels_of(size) * directions, kDirection + kEquirectTap + kFourTexels + kWeighted,
+            bytes_of(mip_sizes(size))};
 }
 
 BakeCost prefilter_cost(int size, const PrefilterSettings& settings) {

@@ -52,8 +52,8 @@ KREDA_BATCH_LOOP void add_sample(int lanes, const MicrofacetChannels& m, Channel
     }
 }
 
-/// 2 int E mu dmu = 4 int E s^3 ds, mu = s^2, over the nodes by the trapezoidal rule with corrected ends: 3/8, 7/6, 23/24, 1,
-/// 1, ... Exact for cubic polynomials, so a mirror's E = 1 gives 1.                                            Gregory 1670
+/// 2 int E mu dmu = 4 int E s^3 ds, mu = s^2, over the nodes by the trapezoidal rule with corrected ends: 3/8, 7/6,
+/// 23/24, 1, 1, ... Exact for cubic polynomials, so a mirror's E = 1 gives 1.                         Gregory 1670
 float average_energy(const RowScratch& row) {
     constexpr int kLast = kBrdfMapSize - 1;
     constexpr double kEnds[] = {3.0 / 8.0, 7.0 / 6.0, 23.0 / 24.0};

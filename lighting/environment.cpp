@@ -7,7 +7,8 @@ namespace kreda::lighting {
 EnvironmentMaps bake_environment(const CubeMap& radiance, const EnvironmentNeeds& needs, int samples,
                                  const Progress& progress) {
     EnvironmentMaps maps;
-    const std::vector<Progress> steps = progress_of_steps(progress, bake_work(radiance.empty() ? 0 : radiance.levels[0].size, needs, samples));
+    const int size = radiance.empty() ? 0 : radiance.levels[0].size;
+    const std::vector<Progress> steps = progress_of_steps(progress, bake_work(size, needs, samples));
     if (needs.mirror || needs.blurred) {
         PrefilterSettings settings;
         settings.samples = samples;

@@ -218,7 +218,8 @@ glm::vec3 sample_equirect(const EquirectMap& map, const glm::vec3& direction) {
 
 int directions_for(int image_width, int image_height, int size) {
     const int longer = std::max(image_width, 2 * image_height);
-    return std::clamp((longer + size - 1) / size, 2, 64);  // a texel of the cube holds about longer / (4 size) of the image's
+    // A texel of the cube holds about longer / (4 size) of the image's a side.
+    return std::clamp((longer + size - 1) / size, 2, 64);
 }
 
 CubeMap cube_from_equirect(const Image& image, int size, const Placement& placement, const Progress& progress) {

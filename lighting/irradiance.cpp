@@ -169,7 +169,7 @@ glm::vec3 irradiance_of_cosine(const CubeMap& radiance, const glm::vec3& n, int 
 CubeMap irradiance_map(const CubeMap& radiance, const IrradianceSettings& settings, const Progress& progress) {
     const int size = settings.size;
     CubeMap map = make_cube_map({size});
-    const auto faces = settings.sum == IrradianceSum::texels ? lights_of(radiance, kIrradianceSourceSize) : lights_of(radiance, 1);
+    const auto faces = lights_of(radiance, settings.sum == IrradianceSum::texels ? kIrradianceSourceSize : 1);
     const int texel_count = kCubeFaces * size * size;
     constexpr int kBatch = 128;  // small, so that there is work for every thread
     WorkCounter counter(texel_count, progress);

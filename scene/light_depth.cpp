@@ -17,7 +17,9 @@ bool has_map(const RenderPlan& plan, std::uint32_t) {
 const View& light_depth_view() {
     static const View view{
         .name = "light_depth",
-        .meaning = "the last shadow map: distance along the light's axis (parallel rays: from the first caster), white: nothing casts",
+        .meaning =
+            "the last shadow map: distance along the light's axis (parallel rays: from the first caster), white: "
+            "nothing casts",
         .requires_what = "shadow.method = \"map\" and a light with shadow = true that falls on something seen",
         .components = 1,
         .scale = ViewScale::range,

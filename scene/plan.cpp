@@ -327,8 +327,8 @@ std::string describe(const RenderPlan& plan, bool with_left_out) {
     if (bake_operations > 0.0) {
         text += "baking, once and kept: " + short_count(bake_operations) + " operations\n";
     }
-    text += std::string(bake_operations > 0.0 ? "a frame" : "together") + ": at most " + short_count(total_operations(plan)) +
-            " operations" + (all_estimated ? "" : " and those of the passes without an estimate") + ", " +
+    text += std::string(bake_operations > 0.0 ? "a frame" : "together") + ": at most " +
+            short_count(total_operations(plan)) + " operations" + (all_estimated ? "" : " and those of the passes without an estimate") + ", " +
             std::to_string(total_bytes(plan)) + " bytes of buffers\n";
     if (with_left_out) {
         for (const LeftOutPass& pass : plan.left_out) text += "-  " + pass.name + ": left out, " + pass.why_not + "\n";

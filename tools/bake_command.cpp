@@ -55,7 +55,10 @@ int index_of(const std::vector<std::string>& words, const std::string& word) {
 CLI::Validator range_of(const char* key) {
     const scene::Range& range = scene::find_key("environment", key)->range;
     const CLI::Validator is_number(
-        [](const std::string& text) { return std::isnan(std::strtod(text.c_str(), nullptr)) ? text + " is no number" : ""; },
+        [](const std::string& text) {
+            const bool is_nan = std::isnan(std::strtod(text.c_str(), nullptr));
+            return is_nan ? text + " is no number" : std::string();
+        },
         "");
     return is_number & CLI::Range(range.least, range.greatest);
 }

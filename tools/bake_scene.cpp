@@ -28,8 +28,8 @@ void bake_scene(scene::Scene& scene, const CacheOptions& options) {
     ProgressBar bar("baking " + (named.empty() ? "the sky" : std::filesystem::path(named).filename().string()));
     const std::string folder = options.folder.empty() ? scene::cache_folder_of(scene.file) : options.folder;
     if (options.off || folder.empty()) {
-        scene.environment.prepared = std::make_shared<scene::PreparedEnvironment>(
-            prepare_environment(scene.environment, needs, bar.progress()));
+        scene.environment.prepared =
+            std::make_shared<scene::PreparedEnvironment>(prepare_environment(scene.environment, needs, bar.progress()));
         return;
     }
     scene::CacheReport report;

@@ -120,7 +120,9 @@ Explanation explain_in(const Frame& frame, const PixelRequest& request) {
 SampleFacts look_at_sample(const Frame& frame, int x, int y) {
     SampleFacts sample{frame, x, y, {}, -1, nullptr, frame.scene.image.background};
     const raster::TileGrid& grid = frame.buffers.triangles.grid;
-    if (!frame.buffers.triangles.chunks.empty()) sample.covers = scene::triangles_over(frame.buffers.streams, frame.buffers.triangles, x, y);
+    if (!frame.buffers.triangles.chunks.empty()) {
+        sample.covers = scene::triangles_over(frame.buffers.streams, frame.buffers.triangles, x, y);
+    }
     sample.nearest = nearest_of(sample.covers);
     const int tile = grid.tile_of(y) * grid.columns + grid.tile_of(x);
     const raster::TileArea area = tile_area(grid, frame.plan.viewport, tile);

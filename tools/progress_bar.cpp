@@ -9,7 +9,9 @@ namespace kreda::tools {
 
 namespace {
 
-int percent_of(double share) { return static_cast<int>(100.0 * std::clamp(share, 0.0, 1.0)); }
+int percent_of(double share) {
+    return static_cast<int>(100.0 * std::clamp(share, 0.0, 1.0));
+}
 
 }  // namespace
 

@@ -171,7 +171,8 @@ scene::Scene load(const RenderOptions& options) {
     if (!options.slides.empty()) fit_to_slide(scene.image);
     if (options.light < 0) return scene;
     const std::size_t count = scene.lights.size();
-    if (static_cast<std::size_t>(options.light) < count) return with_only_light(scene, static_cast<std::size_t>(options.light));
+    const auto light = static_cast<std::size_t>(options.light);
+    if (light < count) return with_only_light(scene, light);
     throw UserError("--light " + std::to_string(options.light) + ": the scene has " + std::to_string(count) +
                     (count == 1 ? " light" : " lights") + ", numbered from 0");
 }

@@ -91,7 +91,8 @@ TEST_CASE("BRDF map: a mirror's mean energy is 1 and every other the integral of
         double integral = 0.0;
         for (int i = 0; i < kBrdfMapSize - 1; ++i) {
             const double a = i / 63.0, b = (i + 1) / 63.0;
-            const double E_a = double(row[4 * i]) + double(row[4 * i + 1]), E_b = double(row[4 * i + 4]) + double(row[4 * i + 5]);
+            const double E_a = double(row[4 * i]) + double(row[4 * i + 1]);
+            const double E_b = double(row[4 * i + 4]) + double(row[4 * i + 5]);
             const double all = std::pow(b, 4) - std::pow(a, 4);
             const double first_moment = 0.8 * (std::pow(b, 5) - std::pow(a, 5));
             integral += E_a * all + (E_b - E_a) / (b - a) * (first_moment - a * all);

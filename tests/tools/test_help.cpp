@@ -18,7 +18,8 @@ TEST_CASE("help names every command and render's help every option") {
     for (const char* command : {"render", "plan", "keys", "gallery"}) CHECK(help.out.find(command) != std::string::npos);
     const Outcome render = run_kreda({"render", "--help"}, folder.path.string());
     CHECK(render.exit_code == 0);
-    for (const char* option : {"--output", "--size", "--samples", "--threads", "--set", "--time", "--repeat", "--allow-outside", "--view", "--light"}) {
+    for (const char* option : {"--output", "--size", "--samples", "--threads", "--set", "--time", "--repeat",
+                               "--allow-outside", "--view", "--light"}) {
         CAPTURE(option);
         CHECK(render.out.find(option) != std::string::npos);
     }
