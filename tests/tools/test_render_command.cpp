@@ -228,6 +228,19 @@ TEST_CASE("a light's depth that is not there is an error that says why") {
     CHECK(names_in(folder.path.string()) == std::vector<std::string>{"lights.toml"});
 }
 
+TEST_CASE("a light's depth in which nothing casts is white and says so") {
+    const TempFolder folder;  // a single texel a face, and along no axis does the lamp see the sphere
+    folder.write("aside.toml",
+                 "[image]\nsize = [32, 24]\n[shadow]\nsize = 1\n[[light]]\ntype = \"point\"\nposition = [2, 3, 2]\n"
+                 "shadow = true\n[[object]]\nmesh = \"sphere\"\n");
+    const Outcome outcome =
+        run_kreda({"render", "aside.toml", "--view", "light_depth", "-o", "aside.png"}, folder.path.string());
+    CHECK(outcome.exit_code == 0);
+    CHECK(outcome.err.find("inf") == std::string::npos);
+    CHECK(outcome.err.find("all of it is background") != std::string::npos);
+    for (const float value : scene::read_image(folder.file("aside.png")).values) CHECK(value == 1.0f);
+}
+
 TEST_CASE("one light alone is the scene with the others off") {
     const TempFolder folder;
     write_two_shadows(folder);
