@@ -51,18 +51,24 @@ inline TexelTap brdf_tap(float n_dot_v, float roughness) {
 /// The map at n.v and roughness.
 [[nodiscard]] BrdfTerms look_up_brdf(const BrdfMap& map, float n_dot_v, float roughness);
 
-/// A closed form instead of a map, for GGX with Schlick-GGX's G and k = alpha / 2; cheaper, but off by up to 0.3 at grazing
-/// angles.                                                                     Karis 2014, "Physically based shading on mobile"
-///   r = roughness c0 + c1,   a = min(r.x^2, 2^(-9.28 n.v)) r.x + r.y,   A = -1.04 a + r.z,   B = 1.04 a + r.w
+/// A closed form instead of a map, for GGX with Smith's height-correlated G (not Schlick-GGX: there it is off by 0.33 at
+/// grazing angles). Ratios of polynomials of the second degree in n.v and alpha, the form of MaterialX's fit (2020); the
+/// numbers are least squares against our own quadrature. Of F0 A + B at F0 = 1 it misses 0.7 % in the mean and 0.067 at worst
+/// (grazing, roughness 0.1). Karis' fit for mobiles (2014) misses 14 % in the mean and up to 0.49, Hirvonen's (Ray Tracing Gems,
+/// 2019, chapter 32) 4 % and up to 0.34.
+///   A = (a . p) / (1 + b . p),   B likewise,   p = 1, x, y, xy, x^2, y^2, x^2 y, x y^2, x^2 y^2,   x = n.v,  y = alpha
 inline BrdfTerms brdf_fit(float n_dot_v, float roughness) {
-    const float x = 1.0f - roughness;
-    const float y = 0.0425f - 0.0275f * roughness;
-    const float z = 1.04f - 0.572f * roughness;
-    const float w = 0.022f * roughness - 0.04f;
-    const float power = raster::exp2(-9.28f * n_dot_v);
-    const float a = (x * x < power ? x * x : power) * x + y;
-    const float B = 1.04f * a + w;
-    return {-1.04f * a + z, B > 0.0f ? B : 0.0f, 0.0f};
+    const float x = n_dot_v, y = roughness * roughness, xy = x * y, x2 = x * x, y2 = y * y;
+    const float x2y = x2 * y, xy2 = x * y2, x2y2 = x2 * y2;
+    const float A_above = 0.03833f + 2.469f * x + 10.17f * y - 27.91f * xy + 14.23f * x2 - 9.441f * y2 + 26.55f * x2y +
+                          43.7f * xy2 - 44.91f * x2y2;
+    const float A_below = 1.0f + 0.2998f * x + 8.603f * y - 14.86f * xy + 15.39f * x2 - 8.769f * y2 + 12.39f * x2y +
+                          38.77f * xy2 - 2.377f * x2y2;
+    const float B_above = 0.9704f - 2.358f * x + 7.017f * y - 14.41f * xy + 1.408f * x2 - 3.554f * y2 + 7.46f * x2y +
+                          6.203f * xy2 - 2.74f * x2y2;
+    const float B_below = 1.0f + 1.226f * x + 23.75f * y - 110.1f * xy + 11.57f * x2 + 96.01f * y2 + 235.7f * x2y +
+                          576.9f * xy2 - 835.9f * x2y2;
+    return {raster::saturate(A_above / A_below), raster::saturate(B_above / B_below), 0.0f};  // both below: 0.15 or more
 }
 
 // ------------------------------------------------------------------------------------------------ batches
