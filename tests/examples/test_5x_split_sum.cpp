@@ -13,6 +13,7 @@
 #include <glm/geometric.hpp>
 
 #include "course.hpp"
+#include "examples/brdf_quadrature.hpp"
 #include "examples/split_sum_error.hpp"
 #include "lighting/environment_image.hpp"
 #include "lighting/sky.hpp"
@@ -128,6 +129,89 @@ TEST_CASE("55_views: the last column of the sheet adds up") {
         }
     }
     CHECK(compared > 1500);
+}
+
+// ------------------------------------------------------------------------------------------------ 53_brdf_map
+
+namespace {
+
+/// A and B as sums over directions of light, every 0.18 degrees: D and V of GGX as Walter et al. (2007) and Heitz
+/// (2014) write them.
+glm::dvec2 brdf_over_directions(double n_dot_v, double roughness) {
+    constexpr int kSteps = 500;
+    const double alpha2 = std::pow(roughness, 4.0);
+    const glm::dvec3 v(std::sqrt(1.0 - n_dot_v * n_dot_v), 0.0, n_dot_v);
+    glm::dvec2 sum(0.0);
+    for (int j = 0; j < kSteps; ++j) {
+        const double theta = (j + 0.5) * 0.5 * pi / kSteps;
+        for (int i = 0; i < 2 * kSteps; ++i) {
+            const double phi = (i + 0.5) * pi / kSteps;
+            const glm::dvec3 l(std::sin(theta) * std::cos(phi), std::sin(theta) * std::sin(phi), std::cos(theta));
+            const glm::dvec3 h = glm::normalize(l + v);
+            const double below = h.z * h.z * (alpha2 - 1.0) + 1.0, D = alpha2 / (pi * below * below);
+            const double V = 0.5 / (l.z * std::sqrt(v.z * v.z * (1.0 - alpha2) + alpha2) +
+                                    v.z * std::sqrt(l.z * l.z * (1.0 - alpha2) + alpha2));
+            const double F_c = std::pow(1.0 - glm::dot(v, h), 5.0);
+            sum += glm::dvec2(1.0 - F_c, F_c) * (D * V * l.z * std::sin(theta));
+        }
+    }
+    return sum * (0.5 * pi / kSteps) * (pi / kSteps);
+}
+
+/// |A + B - A' - B'| over the squares of the example's pictures.
+struct EnergyError {
+    double mean = 0.0, largest = 0.0;
+
+    void add(const lighting::BrdfTerms& found, const lighting::BrdfTerms& exact) {
+        const double error = std::abs(found.scale + found.bias - exact.scale - exact.bias);
+        mean += error / (24.0 * 24.0);
+        largest = std::max(largest, error);
+    }
+};
+
+}  // namespace
+
+TEST_CASE("53_brdf_map: quadrature over facets is the sum over all directions of light") {
+    for (const double roughness : {0.5, 0.8, 1.0}) {
+        for (const double n_dot_v : {0.1, 0.4, 0.9}) {
+            CAPTURE(roughness);
+            CAPTURE(n_dot_v);
+            const lighting::BrdfTerms found = brdf_by_quadrature(n_dot_v, roughness, 128);
+            const glm::dvec2 exact = brdf_over_directions(n_dot_v, roughness);
+            CHECK(std::abs(found.scale - exact.x) < 5e-5);  // 4e-5 and 1e-5: what twice as many steps change
+            CHECK(std::abs(found.bias - exact.y) < 5e-5);
+        }
+    }
+}
+
+TEST_CASE("53_brdf_map: map and closed form miss quadrature by as much as the page says") {
+    const lighting::BrdfMap map =
+        compute_brdf_map(lighting::Distribution::ggx, lighting::Geometry::smith_correlated, 1024);
+    EnergyError of_map, of_fit;
+    for (int y = 0; y < 24; ++y) {
+        for (int x = 0; x < 24; ++x) {
+            const float n_dot_v = (static_cast<float>(x) + 0.5f) / 24.0f,
+                        roughness = (static_cast<float>(y) + 0.5f) / 24.0f;
+            const lighting::BrdfTerms exact = brdf_by_quadrature(n_dot_v, roughness, 128);
+            of_map.add(look_up_brdf(map, n_dot_v, roughness), exact);
+            of_fit.add(lighting::brdf_fit(n_dot_v, roughness), exact);
+        }
+    }
+    CHECK(of_map.mean == doctest::Approx(documented_number("53_brdf_map", "map_mean")).epsilon(0.03));
+    CHECK(of_map.largest == doctest::Approx(documented_number("53_brdf_map", "map_most")).epsilon(0.03));
+    CHECK(of_fit.mean == doctest::Approx(documented_number("53_brdf_map", "fit_mean")).epsilon(0.01));
+    CHECK(of_fit.largest == doctest::Approx(documented_number("53_brdf_map", "fit_most")).epsilon(0.01));
+}
+
+TEST_CASE(
+    "53_brdf_map: in the picture a mirror keeps everything and a rough surface loses most where it is seen from "
+    "above") {
+    const raster::Image panel = linear_panel("53_brdf_map/maps.png", 3, 2, 0);
+    const auto energy = [&](int x, int y) { return panel.at(0, x, y) + panel.at(1, x, y); };
+    const int middle = panel.width / 2;
+    CHECK(energy(middle, 56) > 0.9f);                               // roughness 0.2, above the caption
+    CHECK(energy(middle + 34, 12) < 0.4f);                          // roughness 1, n.v = 1
+    CHECK(panel.at(1, middle - 34, 54) > panel.at(1, middle, 54));  // B lives at grazing angles
 }
 
 // ------------------------------------------------------------------------------------------------ 54_split_sum
