@@ -13,11 +13,12 @@ using raster::Channel3;
 using raster::Image;
 using raster::kBatchCapacity;
 
-enum class Fault { none, negative, infinite, nan };
+enum class Fault { none, negative, too_bright, infinite, nan };  // the worst of a texel's values counts
 
 Fault fault_of(float value) {
     if (std::isnan(value)) return Fault::nan;
     if (value > raster::kMaxFinite) return Fault::infinite;
+    if (value > kMaxRadiance) return Fault::too_bright;
     return value < 0.0f ? Fault::negative : Fault::none;
 }
 
@@ -51,8 +52,9 @@ float repaired(const Image& original, int c, int x, int y, float largest) {
     switch (fault_of(value)) {
         case Fault::nan: return mean_of_neighbours(original, c, x, y);
         case Fault::infinite: return largest;
+        case Fault::too_bright: return kMaxRadiance;
         case Fault::negative: return 0.0f;
-        case Fault::none: return std::min(value, kMaxRadiance);
+        case Fault::none: return value;
     }
     return 0.0f;
 }
@@ -187,6 +189,7 @@ EnvironmentRepairs repair_environment(Image& image) {
             }
             repairs.nan += worst == Fault::nan ? 1 : 0;
             repairs.infinite += worst == Fault::infinite ? 1 : 0;
+            repairs.too_bright += worst == Fault::too_bright ? 1 : 0;
             repairs.negative += worst == Fault::negative ? 1 : 0;
         }
     }

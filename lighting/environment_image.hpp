@@ -19,15 +19,16 @@ namespace kreda::lighting {
 /// What was wrong with an image: texels, each counted once, by the worst of its channels.
 struct EnvironmentRepairs {
     std::int64_t nan = 0, infinite = 0, negative = 0;
+    std::int64_t too_bright = 0;  ///< finite, above kMaxRadiance
 
-    [[nodiscard]] std::int64_t total() const { return nan + infinite + negative; }
+    [[nodiscard]] std::int64_t total() const { return nan + infinite + negative + too_bright; }
 };
 
 /// Radiance beyond this is cut: sums over all texels must stay finite.
 inline constexpr float kMaxRadiance = 1e9f;
 
-/// Make every value a radiance in [0, kMaxRadiance]: NaN becomes the mean of its finite neighbours (0 without any), +infinity the
-/// largest finite value of the image, negative ones (also -infinity) 0.
+/// Make every value a radiance in [0, kMaxRadiance]: NaN becomes the mean of its finite neighbours (0 without any), +infinity
+/// the largest finite value of the image, negative ones (also -infinity) 0, larger ones kMaxRadiance.
 EnvironmentRepairs repair_environment(raster::Image& image);
 
 /// Where a direction of any length (not 0) lies in an equirectangular image: u, v in [0, 1].

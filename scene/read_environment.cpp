@@ -17,11 +17,13 @@ std::string size_text(const raster::Image& image) {
 std::string repairs_text(const lighting::EnvironmentRepairs& repairs) {
     return "holds texels that are no light: " + std::to_string(repairs.negative) + " negative (set to 0), " +
            std::to_string(repairs.nan) + " not a number (mean of their neighbours), " +
-           std::to_string(repairs.infinite) + " infinite (set to the largest finite one)";
+           std::to_string(repairs.infinite) + " infinite (set to the largest finite one), " +
+           std::to_string(repairs.too_bright) + " too bright (set to 1e9)";
 }
 
 /// The image that a key names. What was wrong with it is a warning.
-std::shared_ptr<const raster::Image> load(const Value& key, const std::string& path, std::vector<std::string>& warnings) {
+std::shared_ptr<const raster::Image> load(const Value& key, const std::string& path,
+                                          std::vector<std::string>& warnings) {
     const EnvironmentImage loaded =
         read_environment_image(path, key.place, in_quotes(key.key) + ": " + in_quotes(path) + " ");
     for (const std::string& remark : loaded.remarks) {
@@ -48,7 +50,8 @@ EnvironmentImage read_environment_image(const std::string& path, const Place& pl
     return loaded;
 }
 
-EnvironmentSettings read_environment(const Value& table, const std::string& folder, std::vector<std::string>& warnings) {
+EnvironmentSettings read_environment(const Value& table, const std::string& folder,
+                                     std::vector<std::string>& warnings) {
     const Value* file = find(table, "file");
     const Value* sky = find(table, "sky");
     if (!file && !sky) {

@@ -145,7 +145,8 @@ std::string sh9_json(const BakeRequest& request, const lighting::EnvironmentMaps
     if (image) root["image"] = {{"width", image->width}, {"height", image->height}};
     root["repaired_texels"] = {{"negative", request.repairs.negative},
                                {"not_a_number", request.repairs.nan},
-                               {"infinite", request.repairs.infinite}};
+                               {"infinite", request.repairs.infinite},
+                               {"too_bright", request.repairs.too_bright}};
     root["settings"] = settings_json(request);
     root["faces"] = {"+x", "-x", "+y", "-y", "+z", "-z"};
     root["face_size"] = maps.prefiltered.levels[0].size;

@@ -112,7 +112,12 @@ TEST_CASE("repair: an image of nothing but NaN is black and no value stays above
     CHECK(repair_environment(image).nan == 8);
     for (const float v : image.values) CHECK(v == 0.0f);
     image.set_rgb(1, 1, {1e30f, 1.0f, kInf});
-    repair_environment(image);
+    image.set_rgb(2, 1, {0.0f, 2e9f, 1.0f});
+    const EnvironmentRepairs repairs = repair_environment(image);
+    CHECK(repairs.infinite == 1);
+    CHECK(repairs.too_bright == 1);
+    CHECK(repairs.total() == 2);
+    CHECK(image.rgb(2, 1) == vec3(0.0f, kMaxRadiance, 1.0f));
     CHECK(image.rgb(1, 1) == vec3(kMaxRadiance, 1.0f, kMaxRadiance));
 }
 
