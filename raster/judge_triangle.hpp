@@ -92,7 +92,7 @@ inline Fate look_closer(const ScreenPoint& a, const ScreenPoint& b, const Screen
     const bool front = judgement.front;
     const bool covers = covers_block(near(a.x, a.y), near(front ? c.x : b.x, front ? c.y : b.y),
                                      near(front ? b.x : c.x, front ? b.y : c.y));
-    return small & !covers ? Fate::outside : judgement.fate;
+    return (small & !covers) ? Fate::outside : judgement.fate;
 }
 
 }  // namespace kreda::raster
