@@ -187,6 +187,13 @@ inline void draw_rows(const TileTriangle& t, std::uint32_t id, const TileArea& a
     }
 }
 
+KREDA_BATCH_LOOP void clear(TileVisibility& tile) {
+    for (int i = 0; i < kTileSide * kTileSide; ++i) {
+        tile.depth[i] = kClearDepth;
+        tile.triangle[i] = kNoTriangle;
+    }
+}
+
 /// All triangles of one chunk that touch the tile, in drawing order.
 KREDA_BATCH_LOOP void draw_chunk_in_tile(const ScreenVertex* screen, const TriangleChunk& chunk, std::uint32_t first_id,
                                          const TileArea& area, TileVisibility& tile) {
@@ -217,12 +224,24 @@ TileArea tile_area(const TileGrid& grid, const Viewport& viewport, int index) {
     return area;
 }
 
+namespace {
+
+bool touches(const TriangleChunk& chunk, const TileArea& area) {
+    return chunk.tile_begin[area.index] != chunk.tile_begin[area.index + 1];
+}
+
+}  // namespace
+
+bool any_triangle_touches(const TriangleSet& set, const TileArea& area) {
+    return std::any_of(set.chunks.begin(), set.chunks.end(),
+                       [&](const TriangleChunk& chunk) { return touches(chunk, area); });
+}
+
 void rasterize_tile(const VertexStreams& streams, const TriangleSet& set, const TileArea& area, TileVisibility& tile) {
-    std::fill(std::begin(tile.depth), std::end(tile.depth), kClearDepth);
-    std::fill(std::begin(tile.triangle), std::end(tile.triangle), kNoTriangle);
+    clear(tile);
     for (std::size_t c = 0; c < set.chunks.size(); ++c) {
         const TriangleChunk& chunk = set.chunks[c];
-        if (chunk.tile_begin[area.index] == chunk.tile_begin[area.index + 1]) continue;
+        if (!touches(chunk, area)) continue;
         draw_chunk_in_tile(streams.screen.data(), chunk, triangle_id(c, 0), area, tile);
     }
 }

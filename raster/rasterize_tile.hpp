@@ -23,6 +23,9 @@ struct TileArea {
 
 [[nodiscard]] TileArea tile_area(const TileGrid& grid, const Viewport& viewport, int index);
 
+/// Whether any triangle of the set touches the tile; if none does, there is nothing to draw in it.
+[[nodiscard]] bool any_triangle_touches(const TriangleSet& set, const TileArea& area);
+
 /// Clear the tile and draw all triangles of the set that touch it, in order.
 void rasterize_tile(const VertexStreams& streams, const TriangleSet& set, const TileArea& area,
                     TileVisibility& tile);

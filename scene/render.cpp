@@ -107,6 +107,7 @@ void prepare_scratch(RenderBuffers& buffers) {
         if (!scratch) scratch = std::make_unique<TileScratch>();
         scratch->visibility_ms = scratch->interpolation_ms = scratch->lighting_ms = scratch->film_ms = 0.0;
         scratch->samples_shaded = 0;
+        scratch->color_is_background = false;
     }
 }
 

@@ -7,7 +7,6 @@
 #include "scene/background.hpp"
 #include "scene/debug_pixel.hpp"
 #include "scene/shade.hpp"
-#include "scene/stopwatch.hpp"
 
 namespace kreda::scene {
 
@@ -123,7 +122,10 @@ void fill_background(const glm::vec3& background, TileColor& color) {
 
 /// What is seen where nothing is drawn.
 void start_color(const Frame& frame, const TileArea& area, TileScratch& scratch) {
-    if (!frame.scene.image.environment_background) return fill_background(frame.scene.image.background, scratch.color);
+    if (!frame.scene.image.environment_background) {
+        if (!scratch.color_is_background) fill_background(frame.scene.image.background, scratch.color);
+        return;
+    }
     const ViewRays rays = view_rays(frame.scene.camera, frame.plan.viewport);
     float* const planes[3] = {scratch.color.plane[0], scratch.color.plane[1], scratch.color.plane[2]};
     look_past_tile(rays, frame.lighting.environment, area, scratch.lighting.environment, planes);
@@ -220,10 +222,17 @@ void shade_runs(const Frame& frame, const TileArea& area, int run_count, TileScr
     shade_batches(frame, area, runs + debugged + 1, run_count - debugged - 1, scratch);
 }
 
+/// Draw the triangles of the tile into scratch.visibility and find the runs of what is seen. Returns their number.
+int find_visible(const Frame& frame, const TileArea& area, TileScratch& scratch) {
+    const bool depth_is_shown = !frame.plan.views.empty();
+    if (!depth_is_shown && !any_triangle_touches(frame.buffers.triangles, area)) return 0;
+    rasterize_tile(frame.buffers.streams, frame.buffers.triangles, area, scratch.visibility);
+    return find_runs(scratch.visibility, area, frame.buffers.triangles, scratch.runs);
+}
+
 }  // namespace
 
 void work_batch(const Frame& frame, const TileArea& area, const Run* runs, int count, TileScratch& scratch) {
-    Stopwatch watch;
     scratch.fragments.count = 0;
     const raster::FragmentNeeds& needs = frame.plan.fragment_of_material[runs[0].material];
     if (needs.any()) {
@@ -233,32 +242,31 @@ void work_batch(const Frame& frame, const TileArea& area, const Run* runs, int c
     if (frame.plan.frequency == ShadingFrequency::flat) {
         fill_flat_color(frame.buffers, runs, count, scratch.fragments);
     }
-    scratch.interpolation_ms += watch.lap_ms();
+    scratch.interpolation_ms += scratch.watch.lap_ms();
     if (frame.plan.shadows_by_frame) number_samples(frame.plan, area, runs, count, scratch.fragments);
     shade_batch(frame, runs[0].material, scratch);
     scatter_runs(scratch.lighting.radiance, runs, count, scratch.color);
     write_views(frame, runs, count, scratch);
-    scratch.lighting_ms += watch.lap_ms();
+    scratch.lighting_ms += scratch.watch.lap_ms();
 }
 
 void render_tile(const Frame& frame, int tile_index, TileScratch& scratch) {
-    Stopwatch watch;
+    scratch.watch.lap_ms();
     const TileArea area = tile_area(frame.buffers.triangles.grid, frame.plan.viewport, tile_index);
-    rasterize_tile(frame.buffers.streams, frame.buffers.triangles, area, scratch.visibility);
-    const int run_count = find_runs(scratch.visibility, area, frame.buffers.triangles, scratch.runs);
+    const int run_count = find_visible(frame, area, scratch);
     const int covered = samples_of(scratch.runs, run_count);
     if (covered < area.width * area.height) start_color(frame, area, scratch);
+    scratch.color_is_background = covered == 0 && !frame.scene.image.environment_background;
     start_views(frame.plan, scratch);
-    scratch.visibility_ms += watch.lap_ms();
+    scratch.visibility_ms += scratch.watch.lap_ms();
     shade_runs(frame, area, run_count, scratch);
     scratch.samples_shaded += static_cast<std::uint64_t>(covered);
-    watch.lap_ms();
     write_film(area, frame.plan.samples, scratch.color, frame.buffers.film);
     for (std::size_t v = 0; v < scratch.views.size(); ++v) {
         write_film(area, frame.plan.samples, scratch.views[v], frame.buffers.views[v]);
     }
     raster::finish_copies();
-    scratch.film_ms += watch.lap_ms();
+    scratch.film_ms += scratch.watch.lap_ms();
 }
 
 }  // namespace kreda::scene

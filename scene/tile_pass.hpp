@@ -5,6 +5,7 @@
 #include "raster/fragments.hpp"
 #include "scene/frame.hpp"
 #include "scene/render.hpp"
+#include "scene/stopwatch.hpp"
 
 namespace kreda::scene {
 
@@ -20,7 +21,9 @@ struct TileScratch {
     raster::Fragments fragments;
     lighting::LightingChannels lighting;
     TileColor color;
+    bool color_is_background = false;  ///< nothing was drawn in the tile before: the next one can start with its colour
     std::vector<TileColor> views;  ///< one for each of the plan's
+    Stopwatch watch;               ///< one for all stages of all tiles: asking the time costs some, too
     double visibility_ms = 0.0, interpolation_ms = 0.0, lighting_ms = 0.0, film_ms = 0.0;
     std::uint64_t samples_shaded = 0;
 };
