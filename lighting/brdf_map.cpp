@@ -32,13 +32,14 @@ void place_nodes(float roughness, RowScratch& row) {
         row.scale.set(i, 0.0f);
         row.bias.set(i, 0.0f);
     }
+    find_viewing_angle(kBrdfMapSize, c);
 }
 
 KREDA_BATCH_LOOP void reflect_at_facets(int lanes, const glm::vec2& point, LightingChannels& c) {
     const glm::vec2 u = point;
     for (int i = 0; i < lanes; ++i) {
         const glm::vec3 v = c.v.at(i);
-        c.l.set(i, mirrored(v, visible_half_vector(u, v, c.microfacet.alpha.at(i))));
+        set_direction_to_light(c, i, mirrored(v, visible_half_vector(u, v, c.microfacet.alpha.at(i))));
     }
 }
 

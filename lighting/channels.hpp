@@ -42,6 +42,9 @@ struct LightingChannels {
     raster::Channel3 t;           ///< unit, in the surface: the way scratches or threads run (ward, heidrich_seidel)
     raster::Channel3 l;           ///< unit, to the light that is being added
     raster::Channel3 irradiance;  ///< what that light sends, s(p); in shadow what the shadow leaves of it
+    raster::Channel n_dot_l;      ///< of that light; negative where the surface faces away from it
+    raster::Channel sigma;        ///< Sigma of that light; phong and blinn_phong
+    raster::Channel highlight;    ///< Sigma^h of that light, 0 where the surface faces away from it; phong and blinn_phong
     raster::Channel shadow;       ///< of that light: 1 lit .. 0 in full shadow; only where it casts shadows
     raster::Channel blocker_distance;  ///< from a point back to what keeps that light from it, world units; only for views
     raster::Channel penumbra;     ///< width of that shadow's soft edge there, world units; only for views
@@ -53,6 +56,14 @@ struct LightingChannels {
     MicrofacetChannels microfacet;
     EnvironmentChannels environment;
 };
+
+/// The way to the light that is being added, unit, at point i: l and n.l. Returns n.l. Requires n.
+inline float set_direction_to_light(LightingChannels& c, int i, const glm::vec3& l) {
+    const float n_dot_l = glm::dot(c.n.at(i), l);
+    c.l.set(i, l);
+    c.n_dot_l.set(i, n_dot_l);
+    return n_dot_l;
+}
 
 /// Add one light's reflection at point i to the sums.
 inline void add_terms(LightingChannels& c, int i, const ReflectedTerms& terms) {

@@ -24,7 +24,7 @@ KREDA_BATCH_LOOP void scale_channel(int lanes, float factor, raster::Channel3& c
     for (int i = 0; i < lanes; ++i) channel.set(i, factor * channel.at(i));
 }
 
-/// r = 2 (n.v) n - v, and what the look-ups and F need: n.v and the level of this roughness.
+/// r = 2 (n.v) n - v, and what the look-ups and F need: v.h, for r is n.v, and the level of this roughness.
 KREDA_BATCH_LOOP void direct_to_mirror(int lanes, LightingChannels& c) {
     MicrofacetChannels& m = c.microfacet;
     EnvironmentChannels& e = c.environment;
@@ -32,7 +32,6 @@ KREDA_BATCH_LOOP void direct_to_mirror(int lanes, LightingChannels& c) {
         const float cosine = glm::dot(c.n.at(i), c.v.at(i));
         e.direction.set(i, (2.0f * cosine) * c.n.at(i) - c.v.at(i));
         e.lod.set(i, level_of_alpha(m.alpha.at(i)));
-        m.n_dot_v.set(i, raster::saturate(cosine));
         m.v_dot_h.set(i, raster::saturate(cosine));
     }
 }
@@ -149,7 +148,7 @@ KREDA_BATCH_LOOP void choose_mirrored(int lanes, const glm::vec2& u, LightingCha
         const glm::vec3 v = to_surface(frame, c.v.at(i));
         const glm::vec3 seen{v.x, v.y, v.z > 1e-4f ? v.z : 1e-4f};
         const glm::vec3 l = mirrored(seen, visible_half_vector(point, seen, c.microfacet.alpha.at(i)));
-        c.l.set(i, unit(to_world(frame, l)));
+        set_direction_to_light(c, i, unit(to_world(frame, l)));
     }
 }
 
@@ -157,7 +156,7 @@ KREDA_BATCH_LOOP void choose_mirrored(int lanes, const glm::vec2& u, LightingCha
 KREDA_BATCH_LOOP void choose_by_cosine(int lanes, const glm::vec2& u, LightingChannels& c) {
     const glm::vec3 around = cosine_direction(u);
     for (int i = 0; i < lanes; ++i) {
-        c.l.set(i, unit(to_world(frame_around(c.n.at(i)), around)));
+        set_direction_to_light(c, i, unit(to_world(frame_around(c.n.at(i)), around)));
     }
 }
 

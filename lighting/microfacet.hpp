@@ -42,16 +42,28 @@ inline float squared_sine(const glm::vec3& a, const glm::vec3& b) {
     return raster::saturate(d * (1.0f - 0.25f * d));
 }
 
+/// Those of them that concern the half vector.
+struct HalfVectorAngles {
+    float n_dot_h;
+    float v_dot_h;
+    float sin2_h;
+};
+
 /// n, l, v unit.   h = (l + v) / |l + v|,   v.h = |l + v| / 2   (the same bits for l and v exchanged).
 /// l = -v has no h: v.h = 0 there, and one of n.l, n.v is 0.
 /// l and v rounded to float turn h by some 6e-8 / (v.h): in D a relative error of up to 5e-7 / (alpha v.h).
-inline MicrofacetAngles microfacet_angles(const glm::vec3& n, const glm::vec3& l, const glm::vec3& v) {
+inline HalfVectorAngles half_vector_angles(const glm::vec3& n, const glm::vec3& l, const glm::vec3& v) {
     const glm::vec3 sum = l + v;
     const float length2 = glm::dot(sum, sum);
     const float length = std::sqrt(length2 > 1e-30f ? length2 : 1e-30f);
     const glm::vec3 h = sum * (1.0f / length);
-    return {raster::saturate(glm::dot(n, l)), raster::saturate(glm::dot(n, v)), raster::saturate(glm::dot(n, h)),
-            raster::saturate(0.5f * length), squared_sine(n, h)};
+    return {raster::saturate(glm::dot(n, h)), raster::saturate(0.5f * length), squared_sine(n, h)};
+}
+
+/// All of them; n, l, v unit.
+inline MicrofacetAngles microfacet_angles(const glm::vec3& n, const glm::vec3& l, const glm::vec3& v) {
+    const HalfVectorAngles half = half_vector_angles(n, l, v);
+    return {raster::saturate(glm::dot(n, l)), raster::saturate(glm::dot(n, v)), half.n_dot_h, half.v_dot_h, half.sin2_h};
 }
 
 // ----------------------------------------------------------------------------- D   [1/sr]   int D (n.h) dh = 1

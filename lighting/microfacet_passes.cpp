@@ -19,12 +19,15 @@ KREDA_BATCH_LOOP void fill_constants(int lanes, const MicrofacetSurface& surface
     }
 }
 
+KREDA_BATCH_LOOP void find_n_dot_v(int lanes, LightingChannels& c) {
+    for (int i = 0; i < lanes; ++i) c.microfacet.n_dot_v.set(i, raster::saturate(glm::dot(c.n.at(i), c.v.at(i))));
+}
+
 KREDA_BATCH_LOOP void find_angles(int lanes, LightingChannels& c) {
     MicrofacetChannels& m = c.microfacet;
     for (int i = 0; i < lanes; ++i) {
-        const MicrofacetAngles a = microfacet_angles(c.n.at(i), c.l.at(i), c.v.at(i));
-        m.n_dot_l.set(i, a.n_dot_l);
-        m.n_dot_v.set(i, a.n_dot_v);
+        const HalfVectorAngles a = half_vector_angles(c.n.at(i), c.l.at(i), c.v.at(i));
+        m.n_dot_l.set(i, raster::saturate(c.n_dot_l.at(i)));
         m.n_dot_h.set(i, a.n_dot_h);
         m.v_dot_h.set(i, a.v_dot_h);
         m.sin2_h.set(i, a.sin2_h);
@@ -258,6 +261,10 @@ KREDA_BATCH_LOOP void add_compensation(int lanes, const CookTorranceSetup& setup
 
 void fill_surface(int count, const CookTorranceSetup& setup, MicrofacetChannels& channels) {
     fill_constants(lanes_for(count), setup.surface, channels);
+}
+
+void find_viewing_angle(int count, LightingChannels& channels) {
+    find_n_dot_v(lanes_for(count), channels);
 }
 
 void evaluate_microfacets(int count, const CookTorranceSetup& setup, LightKind kind, LightingChannels& channels) {

@@ -10,11 +10,14 @@ namespace kreda::lighting {
 /// The material's constants at every point (read_maps overwrites what maps give).
 void fill_surface(int count, const CookTorranceSetup& setup, MicrofacetChannels& channels);
 
+/// n.v, the same for all lights, from channels.n and channels.v.
+void find_viewing_angle(int count, LightingChannels& channels);
+
 /// Which light asks: Schlick-GGX takes k = (roughness + 1)^2 / 8 for a lamp and k = alpha / 2 for an image (Karis 2013). The other
 /// geometries know no difference.
 enum class LightKind { lamp, image };
 
-/// Angles, D, V and F of the light in channels.l.
+/// The other angles, D, V and F of the light in channels.l, channels.n_dot_l.
 void evaluate_microfacets(int count, const CookTorranceSetup& setup, LightKind kind, LightingChannels& channels);
 
 /// F of the material's method at the cosines in channels.v_dot_h.
@@ -30,7 +33,7 @@ inline float visible_weight(const MicrofacetChannels& m, int i) {
     return 2.0f * m.V.at(i) * m.n_dot_l.at(i) * (n_dot_v + smith_root(n_dot_v, alpha)) * ratio;
 }
 
-/// Add what the light in channels.l, channels.irradiance reflects to channels.diffuse and channels.specular.
+/// Add what the light in channels.l, channels.n_dot_l, channels.irradiance reflects to channels.diffuse and channels.specular.
 void add_cook_torrance(int count, const CookTorranceSetup& setup, LightingChannels& channels);
 
 }  // namespace kreda::lighting

@@ -45,8 +45,8 @@ struct LightingSetup {
 void start_lighting(const raster::Fragments& fragments, const MaterialSetup& material, const LightingSetup& setup,
                     LightingChannels& channels);
 
-/// l and irradiance of one light at every point.
-void sample_light(const raster::Fragments& fragments, const LightSetup& light, LightingChannels& channels);
+/// l, irradiance and n.l of one light at every point. False: it shines on the back of them all (n.l <= 0) and adds nothing.
+bool sample_light(const raster::Fragments& fragments, const LightSetup& light, LightingChannels& channels);
 
 /// What a shadow leaves of that light:  irradiance = shadow x irradiance.
 void shadow_light(int count, LightingChannels& channels);

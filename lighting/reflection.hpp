@@ -38,8 +38,11 @@ inline glm::vec3 ambient_term(const glm::vec3& s_A, const glm::vec3& m_A) {
 }
 
 /// Mirror image of l in the normal   r = 2 (n.l) n - l.   Unit if n and l are.
+inline glm::vec3 mirror_vector(const glm::vec3& n, const glm::vec3& l, float n_dot_l) {
+    return 2.0f * n_dot_l * n - l;
+}
 inline glm::vec3 mirror_vector(const glm::vec3& n, const glm::vec3& l) {
-    return 2.0f * glm::dot(n, l) * n - l;
+    return mirror_vector(n, l, glm::dot(n, l));
 }
 
 /// Half vector   h = (l + v) / |l + v|.   l = -v has none: the result is 0.
@@ -70,26 +73,33 @@ inline ReflectedTerms lambert(const glm::vec3& n, const glm::vec3& l, const Phon
 }
 
 /// A surface that faces away from the light reflects nothing of it: 1 where n.l > 0, else 0.
-inline float faces_light(const glm::vec3& n, const glm::vec3& l) {
-    return glm::dot(n, l) > 0.0f ? 1.0f : 0.0f;
+inline float faces_light(float n_dot_l) {
+    return n_dot_l > 0.0f ? 1.0f : 0.0f;
 }
+
+/// What one light adds where n.l (of either sign) and the highlight are known   m_D max(n.l, 0),   m_S highlight
+inline ReflectedTerms phong_terms(float n_dot_l, float highlight, const PhongMaterial& m) {
+    const float cosine = n_dot_l > 0.0f ? n_dot_l : 0.0f;
+    return {m.diffuse * cosine, m.specular * highlight};
+}
+
+// phong() and blinn_phong() are the whole formulas at one point. A batch runs the same small functions as passes, each
+// leaving a channel: n.l; Sigma, one loop a model; the highlight; the terms.
 
 /// Phong's model of one light, mirror vector:   m_D (l.n),   m_S (v.r)^h
 inline ReflectedTerms phong(const glm::vec3& n, const glm::vec3& l, const glm::vec3& v, const PhongMaterial& m) {
-    const glm::vec3 r = mirror_vector(n, l);
-    const float n_dot_l = positive_dot(n, l);
-    const float sigma = sigma_phong(v, r);
-    const float highlight = raster::pow(sigma, m.shininess) * faces_light(n, l);
-    return {m.diffuse * n_dot_l, m.specular * highlight};
+    const float n_dot_l = glm::dot(n, l);
+    const float sigma = sigma_phong(v, mirror_vector(n, l, n_dot_l));
+    const float highlight = raster::pow(sigma, m.shininess) * faces_light(n_dot_l);
+    return phong_terms(n_dot_l, highlight, m);
 }
 
 /// Blinn-Phong model of one light, half vector:   m_D (l.n),   m_S (n.h)^h
 inline ReflectedTerms blinn_phong(const glm::vec3& n, const glm::vec3& l, const glm::vec3& v, const PhongMaterial& m) {
-    const glm::vec3 h = half_vector(l, v);
-    const float n_dot_l = positive_dot(n, l);
-    const float sigma = sigma_blinn(n, h);
-    const float highlight = raster::pow(sigma, m.shininess) * faces_light(n, l);
-    return {m.diffuse * n_dot_l, m.specular * highlight};
+    const float n_dot_l = glm::dot(n, l);
+    const float sigma = sigma_blinn(n, half_vector(l, v));
+    const float highlight = raster::pow(sigma, m.shininess) * faces_light(n_dot_l);
+    return phong_terms(n_dot_l, highlight, m);
 }
 
 }  // namespace kreda::lighting

@@ -10,8 +10,9 @@ void shade_points(const Frame& frame, const raster::Fragments& points, std::uint
     start_lighting(points, surface, frame.lighting, channels);
     if (frame.plan.lit_by_environment) add_environment(points, surface, frame.lighting.environment, channels);
     if (surface.material.model != lighting::ReflectionModel::unlit) {
+        const bool views_show_it = !frame.plan.views.empty();  // what a light sends is seen even where it adds nothing
         for (std::size_t k = 0; k < frame.lighting.lights.size(); ++k) {
-            sample_light(points, frame.lighting.lights[k], channels);
+            if (!sample_light(points, frame.lighting.lights[k], channels) && !views_show_it) continue;
             if (find_shadow(frame, static_cast<int>(k), points, channels)) shadow_light(points.count, channels);
             add_reflection(points.count, surface, channels);
         }

@@ -28,6 +28,11 @@ bool lit_by_lights(const RenderPlan& plan, std::uint32_t material) {
     return lit_at_pixels(plan, material) && plan.has_lights;
 }
 
+bool is_shiny(const RenderPlan& plan, std::uint32_t material) {
+    const ReflectionModel model = plan.materials[material].material.model;
+    return lit_by_lights(plan, material) && (model == ReflectionModel::phong || model == ReflectionModel::blinn_phong);
+}
+
 bool has_grain(const RenderPlan& plan, std::uint32_t material) {
     return lit_at_pixels(plan, material) && needs_grain(plan.materials[material].material);
 }
@@ -83,6 +88,8 @@ bool in_fog(const RenderPlan& plan, std::uint32_t) {
 constexpr const char* kAnything = "an object";
 constexpr const char* kLit = "shading.frequency = \"phong\" and a material that is not unlit";
 constexpr const char* kLights = "shading.frequency = \"phong\", a material that is not unlit and a light";
+constexpr const char* kShiny =
+    "shading.frequency = \"phong\", a material with model = \"phong\" or \"blinn_phong\" and a light";
 constexpr const char* kMicrofacet = "shading.frequency = \"phong\" and a material with model = \"cook_torrance\"";
 constexpr const char* kLitMicrofacet =
     "shading.frequency = \"phong\", a material with model = \"cook_torrance\" and a light";
@@ -149,6 +156,12 @@ std::vector<View> make_views() {
          [](const Batch& b, int i, int c) { return b.lighting.l.at(i)[c]; }},
         {"light_irradiance", "s: what arrives of the last light that is on, on a plane facing it", kLights, 3, radiance,
          kNothing, lit_by_lights, [](const Batch& b, int i, int c) { return b.lighting.irradiance.at(i)[c]; }},
+        {"n_dot_l", "max(n.l, 0): Lambert's cosine, of the last light that is on", kLights, 1, share, kNothing, lit_by_lights,
+         [](const Batch& b, int i, int) { return raster::saturate(b.lighting.n_dot_l.at(i)); }},
+        {"sigma", "Sigma: max(v.r, 0) or max(n.h, 0), of the last light that is on", kShiny, 1, share, kNothing, is_shiny,
+         [](const Batch& b, int i, int) { return b.lighting.sigma.at(i); }},
+        {"highlight", "Sigma^h of the last light that is on, 0 where the surface faces away from it", kShiny, 1, share, kNothing,
+         is_shiny, [](const Batch& b, int i, int) { return b.lighting.highlight.at(i); }},
         {"shadow", "1 lit .. 0 in shadow, of the last light that casts shadows", kShadows, 1, share, kNothing, in_shadows,
          [](const Batch& b, int i, int) { return b.lighting.shadow.at(i); }},
         {"blocker_distance", "how far before the point lies what keeps that light from it", kShadows, 1, range, kNothing,

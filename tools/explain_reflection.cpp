@@ -35,7 +35,7 @@ void explain_highlight(const Directions& d, const PhongMaterial& m, float sigma,
                        Section& section) {
     const float power = raster::pow(sigma, m.shininess);
     section.equation("Σʰ", "Σ^h", number_text(sigma) + "^" + number_text(m.shininess), power);
-    const bool faces = lighting::faces_light(d.n, d.l) > 0.0f;
+    const bool faces = lighting::faces_light(glm::dot(d.n, d.l)) > 0.0f;
     section.equation("f_S", faces ? "m_S Σʰ" : "0", faces ? vector_text(m.specular) + " · " + number_text(power) : "",
                      result, faces ? "" : "n·l <= 0: no highlight on the dark side");
 }

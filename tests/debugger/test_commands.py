@@ -92,12 +92,12 @@ def check_save(failures):
 def check_steps(failures):
     """`step` goes from the batch's loop into the formula, not into GLM or a channel."""
     expect(failures, "delete", "")
-    expect(failures, "break add_blinn_phong", "Breakpoint")
+    expect(failures, "break find_sigma_blinn", "Breakpoint")
     expect(failures, "pixel 48 40", "shaded next")
     say("continue")
     for _ in range(12):
         say("step")
-        if gdb.newest_frame().name().endswith("::blinn_phong"):
+        if gdb.newest_frame().name().endswith("::sigma_blinn"):
             return
     failures.append("step")
 

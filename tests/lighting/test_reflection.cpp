@@ -149,6 +149,69 @@ void check_batch(const Material& m) {
 
 }  // namespace
 
+TEST_CASE("The faintest highlight that pow can tell from 0 is still the formula's") {
+    // A batch leaves the power out where no Sigma of it is large enough. Sigma = 0.115 is: 0.115^40 = 2^-124.8, just
+    // above 2^-126; 0.11^40 = 2^-127.4 is not, and counts as 0.
+    for (const double sigma : {0.115, 0.11}) {
+        for (const ReflectionModel model : {ReflectionModel::phong, ReflectionModel::blinn_phong}) {
+            CAPTURE(sigma);
+            CAPTURE(static_cast<int>(model));
+            Material m;
+            m.model = model;
+            m.phong = material(40.0f);
+            m.phong.diffuse = m.phong.ambient = glm::vec3(0.0f);
+            const MaterialSetup setup = prepare(m);
+            // n is tilted from l by an angle whose double's (mirror) or own (half vector, v = l) cosine is sigma.
+            const double tilt = model == ReflectionModel::phong ? 0.5 * std::acos(sigma) : std::acos(sigma);
+            Light lamp;
+            lamp.type = LightType::directional;
+            lamp.direction = {0.0f, 0.0f, -1.0f};
+            const LightSetup light = prepare(lamp);
+            LightingSetup frame;
+            frame.orthographic = true;
+            frame.forward = {0.0f, 0.0f, -1.0f};
+            static raster::Fragments fragments;
+            static LightingChannels channels;
+            fragments.count = 16;
+            for (int i = 0; i < fragments.count; ++i) {
+                const double turn = 0.4 * i;
+                fragments.position.set(i, glm::vec3(0.0f));
+                fragments.normal.set(i, glm::vec3(std::sin(tilt) * std::cos(turn), std::sin(tilt) * std::sin(turn),
+                                                  std::cos(tilt)));
+            }
+            start_lighting(fragments, setup, frame, channels);
+            CHECK(sample_light(fragments, light, channels));
+            add_reflection(fragments.count, setup, channels);
+            for (int i = 0; i < fragments.count; ++i) {
+                const glm::vec3 v(0.0f, 0.0f, 1.0f);
+                const glm::vec3 expected = reflect_at(m, setup, unit(fragments.normal.at(i)), v, v).specular;
+                CHECK(channels.specular.at(i) == expected);
+                CHECK((expected.x > 0.0f) == (sigma > 0.112));
+            }
+        }
+    }
+}
+
+TEST_CASE("A light on the back of every point says so") {
+    static raster::Fragments fragments;
+    static LightingChannels channels;
+    fragments.count = 5;
+    for (int i = 0; i < fragments.count; ++i) {
+        fragments.position.set(i, {float(i), 0.0f, 0.0f});
+        fragments.normal.set(i, {0.0f, 0.0f, 2.0f});
+    }
+    Light lamp;
+    lamp.type = LightType::point;
+    start_lighting(fragments, prepare(Material{}), LightingSetup{}, channels);
+    lamp.position = {0.0f, 0.0f, -1.0f};
+    CHECK_FALSE(sample_light(fragments, prepare(lamp), channels));
+    lamp.position = {0.0f, 0.0f, 0.0f};  // in the plane, and in point 0 itself
+    CHECK_FALSE(sample_light(fragments, prepare(lamp), channels));
+    lamp.position = {0.0f, 0.0f, 1e-3f};
+    CHECK(sample_light(fragments, prepare(lamp), channels));
+    CHECK(channels.n_dot_l.at(0) == 1.0f);
+}
+
 TEST_CASE("A batch gives the same bits as the formula point by point whatever the model") {
     for (const ReflectionModel model :
          {ReflectionModel::lambert, ReflectionModel::phong, ReflectionModel::blinn_phong, ReflectionModel::ward,

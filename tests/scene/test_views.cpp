@@ -83,6 +83,68 @@ TEST_CASE("views: the radiance view is the film to the last bit and a view does 
     CHECK(buffers.film.values == film.values);
 }
 
+TEST_CASE("views: sigma and its power and Lambert's cosine rebuild what the light adds") {
+    for (const char* model : {"phong", "blinn_phong"}) {
+        CAPTURE(model);
+        const Scene scene = ball("model = \"" + std::string(model) +
+                                 "\"\ndiffuse = [0.5, 0.25, 0.125]\nspecular = [0.75, 0.5, 1]\nshininess = 9\n");
+        const raster::Image cosine = draw(scene, "n_dot_l"), sigma = draw(scene, "sigma"),
+                            highlight = draw(scene, "highlight"), diffuse = draw(scene, "diffuse"),
+                            specular = draw(scene, "specular");
+        const glm::vec3 l = glm::normalize(glm::vec3(1.0f, 2.0f, 1.0f)), v(0.0f, 0.0f, 1.0f);
+        int lit = 0;
+        for (int y = 4; y < 60; y += 7) {
+            for (int x = 8; x < 56; x += 7) {
+                CAPTURE(x);
+                CAPTURE(y);
+                const glm::vec3 n = seen_at(x, y);  // exact to 3e-4, as above, so is n.l; Sigma to twice that
+                const float n_dot_l = glm::dot(n, l);
+                const float exact = std::string(model) == "phong" ? glm::dot(v, 2.0f * n_dot_l * n - l)
+                                                                  : glm::dot(n, glm::normalize(l + v));
+                if (!std::isfinite(exact) || std::abs(n_dot_l) < 3e-4f) continue;
+                CHECK(std::abs(cosine.at(0, x, y) - std::max(n_dot_l, 0.0f)) < 3e-4f);
+                if (n_dot_l < 0.0f) {
+                    CHECK(highlight.at(0, x, y) == 0.0f);
+                    continue;
+                }
+                ++lit;
+                CHECK(std::abs(sigma.at(0, x, y) - std::max(exact, 0.0f)) < 8e-4f);
+                CHECK(highlight.at(0, x, y) == doctest::Approx(std::pow(sigma.at(0, x, y), 9.0)).epsilon(1e-6));
+                for (int c = 0; c < 3; ++c) {
+                    const float m_D = 0.5f / float(1 << c), m_S = c == 2 ? 1.0f : 0.75f - 0.25f * float(c);
+                    CHECK(diffuse.at(c, x, y) == doctest::Approx(m_D * cosine.at(0, x, y)).epsilon(1e-6));
+                    CHECK(specular.at(c, x, y) == doctest::Approx(m_S * highlight.at(0, x, y)).epsilon(1e-6));
+                }
+            }
+        }
+        CHECK(lit > 20);
+    }
+}
+
+TEST_CASE("views: a light that is left out where it shines on the back leaves no trace in any bit") {
+    // A film with a view is drawn with every light at every point; one without leaves out what adds nothing. The
+    // lamps stand to the sides and behind, each lighting another part; the spot lights a patch.
+    const std::string lamps =
+        "shadow = true\n[[light]]\ntype = \"point\"\nposition = [3, 0, 0.5]\nshadow = true\n"
+        "[[light]]\ntype = \"point\"\nposition = [0, 0, -3]\n"
+        "[[light]]\ntype = \"spot\"\nposition = [-2, -2, 2]\ndirection = [1, 1, -1]\n"
+        "[[light]]\ntype = \"directional\"\ndirection = [0, 1, 0.2]\n";
+    for (const char* material : {"lambert", "phong", "blinn_phong", "ward", "ward\"\nward_alpha = [0.1, 0.5]\n#\"",
+                                 "heidrich_seidel", "cook_torrance",
+                                 "cook_torrance\"\nenergy_compensation = \"kulla_conty\"\n#\"",
+                                 "phong\"\nshininess = 0\n#\""}) {
+        CAPTURE(material);
+        Scene scene = ball("model = \"" + std::string(material) + "\"\n");
+        const Scene lights = read_scene_text("[[light]]\ndirection = [-1, -2, -1]\n" + lamps, "test", "");
+        scene.lights = lights.lights;
+        scene.image.width = scene.image.height = 200;
+        const raster::Image film = render(scene);
+        RenderBuffers everything;
+        render(scene, make_plan(scene, {find_view("normal")}), everything);
+        CHECK(film.values == everything.film.values);
+    }
+}
+
 TEST_CASE("views: a cook_torrance material shows its constants and D V F rebuild the highlight") {
     const Scene scene = ball("model = \"cook_torrance\"\nalbedo = [0.2, 0.4, 0.6]\nmetallic = 0.25\nroughness = 0.5\n");
     CHECK(draw(scene, "albedo").rgb(32, 32) == glm::vec3(0.2f, 0.4f, 0.6f));
