@@ -42,7 +42,8 @@ struct EnvironmentMaps {
     std::vector<BrdfMap> brdf;
 };
 
-/// Bake what is asked for. `radiance` has all its mip levels; it may be empty where only BRDF maps are asked for. `samples`: of the roughest level (PrefilterSettings).
+/// Bake what is asked for. `radiance` has all its mip levels; it may be empty where only BRDF maps are asked for.
+/// `samples`: of the roughest level (PrefilterSettings).
 [[nodiscard]] EnvironmentMaps bake_environment(const CubeMap& radiance, const EnvironmentNeeds& needs, int samples,
                                                const Progress& progress = {});
 

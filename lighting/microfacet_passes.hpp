@@ -33,7 +33,8 @@ inline float visible_weight(const MicrofacetChannels& m, int i) {
     return 2.0f * m.V.at(i) * m.n_dot_l.at(i) * (n_dot_v + smith_root(n_dot_v, alpha)) * ratio;
 }
 
-/// Add what the light in channels.l, channels.n_dot_l, channels.irradiance reflects to channels.diffuse and channels.specular.
+/// Add what the light in channels.l, channels.n_dot_l, channels.irradiance reflects to channels.diffuse and
+/// channels.specular.
 void add_cook_torrance(int count, const CookTorranceSetup& setup, LightingChannels& channels);
 
 }  // namespace kreda::lighting

@@ -37,15 +37,17 @@ struct LightingSetup {
     Fog fog;
 };
 
-// The lecture's equation,  radiance = ambient + sum over lights of shadow (diffuse + specular),  is these in turn: start_lighting;
-// add_environment where there is one; for each light sample_light, shadow_light where it casts a shadow, add_reflection; sum_terms. scene/shade.cpp runs them.
+// The lecture's equation,  radiance = ambient + sum over lights of shadow (diffuse + specular),  is these in turn:
+// start_lighting; add_environment where there is one; for each light sample_light, shadow_light where it casts a
+// shadow, add_reflection; sum_terms. scene/shade.cpp runs them.
 
 /// What the lights will need: n, v, the material at every point; ambient = s_A m_A + m_E; nothing reflected yet.
 /// Reads fragments.position, fragments.normal, and what material.map_needs says.
 void start_lighting(const raster::Fragments& fragments, const MaterialSetup& material, const LightingSetup& setup,
                     LightingChannels& channels);
 
-/// l, irradiance and n.l of one light at every point. False: it shines on the back of them all (n.l <= 0) and adds nothing.
+/// l, irradiance and n.l of one light at every point. False: it shines on the back of them all (n.l <= 0) and adds
+/// nothing.
 bool sample_light(const raster::Fragments& fragments, const LightSetup& light, LightingChannels& channels);
 
 /// What a shadow leaves of that light:  irradiance = shadow x irradiance.

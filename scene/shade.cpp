@@ -1,5 +1,6 @@
 #include "scene/shade.hpp"
 
+#include "scene/debug_pixel.hpp"
 #include "scene/shadow_pass.hpp"
 
 namespace kreda::scene {
@@ -10,9 +11,10 @@ void shade_points(const Frame& frame, const raster::Fragments& points, std::uint
     start_lighting(points, surface, frame.lighting, channels);
     if (frame.plan.lit_by_environment) add_environment(points, surface, frame.lighting.environment, channels);
     if (surface.material.model != lighting::ReflectionModel::unlit) {
-        const bool views_show_it = !frame.plan.views.empty();  // what a light sends is seen even where it adds nothing
+        // A view or a debugger looks at a light's quantities even where it adds nothing.
+        const bool looked_at = !frame.plan.views.empty() || debug_pixel.x >= 0;
         for (std::size_t k = 0; k < frame.lighting.lights.size(); ++k) {
-            if (!sample_light(points, frame.lighting.lights[k], channels) && !views_show_it) continue;
+            if (!sample_light(points, frame.lighting.lights[k], channels) && !looked_at) continue;
             if (find_shadow(frame, static_cast<int>(k), points, channels)) shadow_light(points.count, channels);
             add_reflection(points.count, surface, channels);
         }
