@@ -212,6 +212,10 @@ KREDA_BATCH_LOOP void draw_chunk_in_tile(const ScreenVertex* screen, const Trian
     }
 }
 
+bool touches(const TriangleChunk& chunk, const TileArea& area) {
+    return chunk.tile_begin[area.index] != chunk.tile_begin[area.index + 1];
+}
+
 }  // namespace
 
 TileArea tile_area(const TileGrid& grid, const Viewport& viewport, int index) {
@@ -223,14 +227,6 @@ TileArea tile_area(const TileGrid& grid, const Viewport& viewport, int index) {
     area.height = std::min(grid.tile_side, viewport.height - area.y);
     return area;
 }
-
-namespace {
-
-bool touches(const TriangleChunk& chunk, const TileArea& area) {
-    return chunk.tile_begin[area.index] != chunk.tile_begin[area.index + 1];
-}
-
-}  // namespace
 
 bool any_triangle_touches(const TriangleSet& set, const TileArea& area) {
     return std::any_of(set.chunks.begin(), set.chunks.end(),

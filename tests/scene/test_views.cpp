@@ -125,7 +125,7 @@ TEST_CASE("views: a light that is left out where it shines on the back leaves no
     // A film with a view is drawn with every light at every point; one without leaves out what adds nothing. The
     // lamps stand to the sides and behind, each lighting another part; the spot lights a patch.
     const std::string lamps =
-        "shadow = true\n[[light]]\ntype = \"point\"\nposition = [3, 0, 0.5]\nshadow = true\n"
+        "[[light]]\ndirection = [-1, -2, -1]\nshadow = true\n[[light]]\ntype = \"point\"\nposition = [3, 0, 0.5]\nshadow = true\n"
         "[[light]]\ntype = \"point\"\nposition = [0, 0, -3]\n"
         "[[light]]\ntype = \"spot\"\nposition = [-2, -2, 2]\ndirection = [1, 1, -1]\n"
         "[[light]]\ntype = \"directional\"\ndirection = [0, 1, 0.2]\n";
@@ -135,8 +135,7 @@ TEST_CASE("views: a light that is left out where it shines on the back leaves no
                                  "phong\"\nshininess = 0\n#\""}) {
         CAPTURE(material);
         Scene scene = ball("model = \"" + std::string(material) + "\"\n");
-        const Scene lights = read_scene_text("[[light]]\ndirection = [-1, -2, -1]\n" + lamps, "test", "");
-        scene.lights = lights.lights;
+        scene.lights = read_scene_text(lamps, "test", "").lights;
         scene.image.width = scene.image.height = 200;
         const raster::Image film = render(scene);
         RenderBuffers everything;
