@@ -25,9 +25,9 @@ endif()
 target_compile_definitions(kreda_flags INTERFACE GLM_FORCE_XYZW_ONLY)
 target_include_directories(kreda_flags INTERFACE ${PROJECT_SOURCE_DIR})
 
-# A room is a folder of headers and sources that becomes one static library, kreda_<room>.
+# A room is a folder of headers and sources, inner rooms included, that becomes one static library, kreda_<room>.
 function(kreda_room room)
-  file(GLOB sources CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/${room}/*.cpp)
+  file(GLOB_RECURSE sources CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/${room}/*.cpp)
   if(sources)
     add_library(kreda_${room} STATIC ${sources})
     target_link_libraries(kreda_${room} PUBLIC kreda_flags ${ARGN})

@@ -1,7 +1,7 @@
 // Scale and bias of the split sum by quadrature in double: what the map and the fit are held to.
 #pragma once
 
-#include "lighting/brdf_map.hpp"
+#include "lighting/environment/brdf_map.hpp"
 
 namespace kreda::examples {
 

@@ -1,17 +1,17 @@
-// The names of scene/draw.hpp, as the examples use them.
+// The names of tools/draw/draw.hpp, as the examples use them.
 #pragma once
 
-#include "scene/draw.hpp"
+#include "tools/draw/draw.hpp"
 
 namespace kreda::examples {
 
 using raster::Image;
-using scene::crop, scene::enlarge, scene::enlarge_with_grid, scene::fit, scene::grey_image, scene::make_board,
-    scene::montage, scene::panel_size, scene::paste;
-using scene::draw_caption, scene::draw_disc, scene::draw_line, scene::draw_text, scene::draw_triangle_outline,
-    scene::fill_rectangle, scene::fill_triangle, scene::text_scale;
-using scene::kBlue, scene::kBoard, scene::kChalk, scene::kDust, scene::kGreen, scene::kOrange, scene::kRed,
-    scene::kSlate, scene::kYellow;
-using scene::signed_color, scene::srgb;
+using tools::crop, tools::enlarge, tools::enlarge_with_grid, tools::fit, tools::grey_image, tools::make_board,
+    tools::montage, tools::panel_size, tools::paste;
+using tools::draw_caption, tools::draw_disc, tools::draw_line, tools::draw_text, tools::draw_triangle_outline,
+    tools::fill_rectangle, tools::fill_triangle, tools::text_scale;
+using tools::kBlue, tools::kBoard, tools::kChalk, tools::kDust, tools::kGreen, tools::kOrange, tools::kRed,
+    tools::kSlate, tools::kYellow;
+using tools::signed_color, tools::srgb;
 
 }  // namespace kreda::examples

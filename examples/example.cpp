@@ -7,9 +7,9 @@
 #include <CLI/CLI.hpp>
 
 #include "scene/error.hpp"
-#include "scene/image_file.hpp"
-#include "scene/read_scene.hpp"
-#include "scene/render.hpp"
+#include "scene/files/image_file.hpp"
+#include "scene/files/read_scene.hpp"
+#include "scene/render/render.hpp"
 
 namespace kreda::examples {
 

@@ -1,4 +1,4 @@
-// From mesh instances to visible fragments, one after another: what scene/render.cpp does, without lighting.
+// From mesh instances to visible fragments, one after another: what scene/render/render.cpp does, without lighting.
 #pragma once
 
 #include <functional>

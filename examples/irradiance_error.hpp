@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "lighting/irradiance.hpp"
+#include "lighting/environment/irradiance.hpp"
 
 namespace kreda::examples {
 

@@ -8,7 +8,7 @@
 #include <glm/geometric.hpp>
 
 #include "raster/shapes.hpp"
-#include "scene/render.hpp"
+#include "scene/render/render.hpp"
 
 namespace kreda::examples {
 
@@ -64,8 +64,7 @@ lighting::Light point_light(const glm::vec3& position, float intensity) {
     return light;
 }
 
-std::vector<lighting::Light> lights_all_around(int count,
-                                               const std::function<glm::vec3(const glm::vec3&)>& radiance) {
+std::vector<lighting::Light> lights_all_around(int count, const std::function<glm::vec3(const glm::vec3&)>& radiance) {
     const double golden_angle = std::numbers::pi * (3.0 - std::sqrt(5.0));
     std::vector<lighting::Light> lights;
     for (int i = 0; i < count; ++i) {

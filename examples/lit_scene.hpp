@@ -1,4 +1,5 @@
-// Scenes built in code: what the lighting examples share. Nothing here is a lesson; each line is a line of a scene file.
+// Scenes built in code: what the lighting examples share. Nothing here is a lesson; each line is a line of a scene
+// file.
 #pragma once
 
 #include <functional>

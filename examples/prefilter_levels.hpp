@@ -1,7 +1,7 @@
 // One level of a prefiltered map, made on its own: from as many samples as one likes, or from every texel.
 #pragma once
 
-#include "lighting/prefilter.hpp"
+#include "lighting/environment/prefilter.hpp"
 
 namespace kreda::examples {
 

@@ -2,7 +2,7 @@
 // outermost texels, as a clamped texture does, instead of those that lie beside them on the sphere.
 #pragma once
 
-#include "lighting/environment_image.hpp"
+#include "lighting/environment/environment_image.hpp"
 
 namespace kreda::examples {
 

@@ -6,7 +6,7 @@
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
 
-#include "lighting/environment_image.hpp"
+#include "lighting/environment/environment_image.hpp"
 
 namespace kreda::examples {
 

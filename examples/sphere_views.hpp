@@ -11,11 +11,12 @@ namespace kreda::examples {
 /// A colour for a unit direction, world space.
 using DirectionColor = std::function<glm::vec3(const glm::vec3&)>;
 
-/// width x width / 2 pixels: +x in the middle, +y on top, as lighting/environment_image.hpp lays it out.
+/// width x width / 2 pixels: +x in the middle, +y on top, as lighting/environment/environment_image.hpp lays it out.
 [[nodiscard]] Image equirect_picture(int width, const DirectionColor& color);
 
-/// The faces as lighting/cube_map.hpp numbers them, side x side pixels each, in a cross of 4 x 3 whose neighbours
-/// touch: +y on top, -x +z +x -z in the middle, -y below. Seen from outside, so left and right are those of a mirror.
+/// The faces as lighting/environment/cube_map.hpp numbers them, side x side pixels each, in a cross of 4 x 3 whose
+/// neighbours touch: +y on top, -x +z +x -z in the middle, -y below. Seen from outside, so left and right are those of
+/// a mirror.
 [[nodiscard]] Image cube_picture(int side, const DirectionColor& color);
 
 /// The same pictures with the axes' names written where they lie.

@@ -6,7 +6,7 @@
 #include <glm/vec3.hpp>
 
 #include "raster/image.hpp"
-#include "scene/render.hpp"
+#include "scene/render/render.hpp"
 
 namespace kreda::examples {
 

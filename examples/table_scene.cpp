@@ -1,6 +1,6 @@
 #include "examples/table_scene.hpp"
 
-#include "scene/render.hpp"
+#include "scene/render/render.hpp"
 
 namespace kreda::examples {
 

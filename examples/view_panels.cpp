@@ -1,7 +1,7 @@
 #include "examples/view_panels.hpp"
 
 #include "raster/film.hpp"
-#include "scene/views.hpp"
+#include "scene/plan/views.hpp"
 
 namespace kreda::examples {
 

@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "examples/draw.hpp"
-#include "scene/render.hpp"
+#include "scene/render/render.hpp"
 
 namespace kreda::examples {
 

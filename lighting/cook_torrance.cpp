@@ -95,30 +95,21 @@ CookTorranceSetup prepare(const CookTorranceMaterial& material) {
 
 float distribution_term(Distribution distribution, const MicrofacetAngles& a, float alpha) {
     switch (distribution) {
-        case Distribution::ggx:
-            return ggx_distribution(a.n_dot_h, a.sin2_h, alpha);
-        case Distribution::beckmann:
-            return beckmann_distribution(a.n_dot_h, a.sin2_h, alpha);
-        case Distribution::blinn_phong:
-            return blinn_phong_distribution(a.n_dot_h, a.sin2_h, alpha);
-        case Distribution::gaussian:
-            return gaussian_distribution(a.n_dot_h, a.sin2_h, alpha);
+        case Distribution::ggx: return ggx_distribution(a.n_dot_h, a.sin2_h, alpha);
+        case Distribution::beckmann: return beckmann_distribution(a.n_dot_h, a.sin2_h, alpha);
+        case Distribution::blinn_phong: return blinn_phong_distribution(a.n_dot_h, a.sin2_h, alpha);
+        case Distribution::gaussian: return gaussian_distribution(a.n_dot_h, a.sin2_h, alpha);
     }
     return 0.0f;
 }
 
 float visibility_term(Geometry geometry, const MicrofacetAngles& a, float alpha, float roughness) {
     switch (geometry) {
-        case Geometry::schlick_ggx:
-            return schlick_ggx_visibility(a.n_dot_l, a.n_dot_v, schlick_k_direct(roughness));
-        case Geometry::smith:
-            return smith_visibility(a.n_dot_l, a.n_dot_v, alpha);
-        case Geometry::smith_correlated:
-            return smith_correlated_visibility(a.n_dot_l, a.n_dot_v, alpha);
-        case Geometry::implicit:
-            return implicit_visibility();
-        case Geometry::cook_torrance:
-            return cook_torrance_visibility(a.n_dot_l, a.n_dot_v, a.n_dot_h, a.v_dot_h);
+        case Geometry::schlick_ggx: return schlick_ggx_visibility(a.n_dot_l, a.n_dot_v, schlick_k_direct(roughness));
+        case Geometry::smith: return smith_visibility(a.n_dot_l, a.n_dot_v, alpha);
+        case Geometry::smith_correlated: return smith_correlated_visibility(a.n_dot_l, a.n_dot_v, alpha);
+        case Geometry::implicit: return implicit_visibility();
+        case Geometry::cook_torrance: return cook_torrance_visibility(a.n_dot_l, a.n_dot_v, a.n_dot_h, a.v_dot_h);
     }
     return 0.0f;
 }
@@ -126,8 +117,7 @@ float visibility_term(Geometry geometry, const MicrofacetAngles& a, float alpha,
 glm::vec3 fresnel_term(const CookTorranceSetup& setup, float c, const glm::vec3& f0) {
     switch (setup.fresnel) {
         case FresnelMethod::schlick:
-        case FresnelMethod::rescaled_schlick:
-            return fresnel_schlick(c, f0);  // the same, see fresnel_rescaled_schlick
+        case FresnelMethod::rescaled_schlick: return fresnel_schlick(c, f0);  // the same, see fresnel_rescaled_schlick
         case FresnelMethod::exact:
             if (setup.all_wavelengths) return spectral_fresnel(c, setup.spectrum);
             if (setup.absorbs) return fresnel_conductor(c, setup.n, setup.k);
@@ -138,15 +128,12 @@ glm::vec3 fresnel_term(const CookTorranceSetup& setup, float c, const glm::vec3&
             return fresnel_corrected_schlick(c, f0, setup.correction_a, setup.correction_lambda);
         case FresnelMethod::corrected_schlick_as_printed:
             return fresnel_corrected_schlick_as_printed(c, f0, setup.correction_a, setup.correction_lambda);
-        case FresnelMethod::f82:
-            return fresnel_f82(c, f0, setup.f82_b);
-        case FresnelMethod::table:
-            return fresnel_lookup(c, setup.table);
+        case FresnelMethod::f82: return fresnel_f82(c, f0, setup.f82_b);
+        case FresnelMethod::table: return fresnel_lookup(c, setup.table);
         case FresnelMethod::nvidia:
             if (setup.has_bias) return glm::vec3(fresnel_nvidia(c, setup.nvidia.x, setup.nvidia.y, setup.nvidia.z));
             return fresnel_nvidia(c, f0, 1.0f - f0, setup.nvidia.z);
-        case FresnelMethod::none:
-            return f0;
+        case FresnelMethod::none: return f0;
     }
     return f0;
 }

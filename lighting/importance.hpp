@@ -13,7 +13,8 @@
 
 namespace kreda::lighting {
 
-/// The bits of i mirrored at the binary point, in [0, 1): 1 -> 1/2, 2 -> 1/4, 3 -> 3/4.               van der Corput 1935
+/// The bits of i mirrored at the binary point, in [0, 1): 1 -> 1/2, 2 -> 1/4, 3 -> 3/4.               van der Corput
+/// 1935
 inline float radical_inverse(std::uint32_t i) {
     i = (i << 16) | (i >> 16);
     i = ((i & 0x55555555u) << 1) | ((i & 0xaaaaaaaau) >> 1);
@@ -64,14 +65,16 @@ inline glm::vec3 cosine_direction(const glm::vec2& u) {
     return around_normal(std::sqrt(1.0f - u.y), u.x);
 }
 
-/// A half vector with density  D (n.h)  of GGX.                                          Walter et al. 2007 eq. (35), (36)
+/// A half vector with density  D (n.h)  of GGX.                                          Walter et al. 2007 eq. (35),
+/// (36)
 inline glm::vec3 ggx_half_vector(const glm::vec2& u, float alpha) {
     const float cos2 = (1.0f - u.y) / (1.0f + (alpha * alpha - 1.0f) * u.y);
     return around_normal(std::sqrt(cos2), u.x);
 }
 
-/// A half vector with the density of those facets of GGX that v sees   D_v = G_1(v) (v.h) D / (n.v).   v in the surface's
-/// frame, v.z > 0. Stretch v, take an even point of the spherical cap that it sees, squeeze back.     Dupuy & Benyoub 2023
+/// A half vector with the density of those facets of GGX that v sees   D_v = G_1(v) (v.h) D / (n.v).   v in the
+/// surface's frame, v.z > 0. Stretch v, take an even point of the spherical cap that it sees, squeeze back.     Dupuy &
+/// Benyoub 2023
 inline glm::vec3 visible_half_vector(const glm::vec2& u, const glm::vec3& v, float alpha) {
     const glm::vec3 s = glm::normalize(glm::vec3(alpha * v.x, alpha * v.y, v.z));
     const float z = (1.0f - u.y) * (1.0f + s.z) - s.z;

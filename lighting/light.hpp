@@ -23,13 +23,14 @@ struct Attenuation {
 /// One light source. Which fields count depends on its type.
 struct Light {
     LightType type = LightType::directional;
-    glm::vec3 direction{-1.0f, -2.0f, -1.0f};  ///< directional, spot: the way the light travels, world space, any length > 0
-    glm::vec3 position{2.0f, 3.0f, 1.0f};      ///< point, spot: world space
-    glm::vec3 color{1.0f};                     ///< s, linear RGB
-    float intensity = 1.0f;                    ///< multiplies color
-    Attenuation attenuation;                   ///< point, spot
-    float inner_cone_deg = 20.0f;              ///< spot: full light inside this half-angle
-    float outer_cone_deg = 30.0f;              ///< spot: no light outside this half-angle
+    glm::vec3 direction{-1.0f, -2.0f,
+                        -1.0f};  ///< directional, spot: the way the light travels, world space, any length > 0
+    glm::vec3 position{2.0f, 3.0f, 1.0f};  ///< point, spot: world space
+    glm::vec3 color{1.0f};                 ///< s, linear RGB
+    float intensity = 1.0f;                ///< multiplies color
+    Attenuation attenuation;               ///< point, spot
+    float inner_cone_deg = 20.0f;          ///< spot: full light inside this half-angle
+    float outer_cone_deg = 30.0f;          ///< spot: no light outside this half-angle
     bool shadow = false;
     bool on = true;
 };
@@ -72,8 +73,8 @@ inline LightSample sample_directional(const LightSetup& light) {
     return {-light.axis, light.radiance};
 }
 
-/// A point light shines to all sides from its position and weakens with distance. At the light itself (d = 0) there is no
-/// direction: l is 0 and nothing is lit.
+/// A point light shines to all sides from its position and weakens with distance. At the light itself (d = 0) there is
+/// no direction: l is 0 and nothing is lit.
 inline LightSample sample_point(const LightSetup& light, const glm::vec3& p) {
     const glm::vec3 to_light = light.position - p;
     const float d2 = glm::dot(to_light, to_light);

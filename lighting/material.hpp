@@ -16,11 +16,11 @@ enum class ReflectionModel { unlit, lambert, phong, blinn_phong, ward, heidrich_
 enum class Distribution { ggx, beckmann, blinn_phong, gaussian };
 enum class Geometry { schlick_ggx, smith, smith_correlated, implicit, cook_torrance };
 enum class FresnelMethod {
-    schlick,            ///< from F0
+    schlick,  ///< from F0
     exact,
-    schlick_ior,        ///< from n alone; knows total reflection
-    rescaled_schlick,   ///< from n and k
-    corrected_schlick,  ///< in the form that gives its published errors
+    schlick_ior,                   ///< from n alone; knows total reflection
+    rescaled_schlick,              ///< from n and k
+    corrected_schlick,             ///< in the form that gives its published errors
     corrected_schlick_as_printed,  ///< falls below 0 at grazing angles: to show why not
     f82,
     table,
@@ -56,19 +56,19 @@ struct CookTorranceMaterial {
     Geometry geometry = Geometry::schlick_ggx;
     FresnelMethod fresnel = FresnelMethod::schlick;
     EnergyCompensation energy_compensation = EnergyCompensation::none;
-    std::optional<glm::vec3> ior;         ///< n per channel (685, 535, 475 nm); with it fresnel uses n and k
-    std::optional<glm::vec3> extinction;  ///< k per channel
-    std::string measured;                 ///< instead of ior: a name of measured_materials()
+    std::optional<glm::vec3> ior;              ///< n per channel (685, 535, 475 nm); with it fresnel uses n and k
+    std::optional<glm::vec3> extinction;       ///< k per channel
+    std::string measured;                      ///< instead of ior: a name of measured_materials()
     SpectrumUse spectrum = SpectrumUse::full;  ///< of measured
-    float outside_ior = 1.0f;  ///< n of what lies before the surface: 1.33 under water. With ior or measured
-    int table_size = 256;                 ///< fresnel = table: samples, >= 2
-    std::optional<glm::vec3> nvidia;      ///< fresnel = nvidia: bias, scale, power; else F0, 1 - F0, 5
-    std::optional<glm::vec3> f82;         ///< fresnel = f82: F at cos theta = 1/7; else from n and k
+    float outside_ior = 1.0f;         ///< n of what lies before the surface: 1.33 under water. With ior or measured
+    int table_size = 256;             ///< fresnel = table: samples, >= 2
+    std::optional<glm::vec3> nvidia;  ///< fresnel = nvidia: bias, scale, power; else F0, 1 - F0, 5
+    std::optional<glm::vec3> f82;     ///< fresnel = f82: F at cos theta = 1/7; else from n and k
 };
 
 /// A picture that says what a quantity is at every point of a surface.
 struct Map {
-    std::string file;  ///< where it comes from; empty: nowhere, or made by a program
+    std::string file;                                ///< where it comes from; empty: nowhere, or made by a program
     std::shared_ptr<const raster::Texture> texture;  ///< linear texels; null: not loaded. Maps of one file share it
 };
 

@@ -63,7 +63,8 @@ inline HalfVectorAngles half_vector_angles(const glm::vec3& n, const glm::vec3& 
 /// All of them; n, l, v unit.
 inline MicrofacetAngles microfacet_angles(const glm::vec3& n, const glm::vec3& l, const glm::vec3& v) {
     const HalfVectorAngles half = half_vector_angles(n, l, v);
-    return {raster::saturate(glm::dot(n, l)), raster::saturate(glm::dot(n, v)), half.n_dot_h, half.v_dot_h, half.sin2_h};
+    return {raster::saturate(glm::dot(n, l)), raster::saturate(glm::dot(n, v)), half.n_dot_h, half.v_dot_h,
+            half.sin2_h};
 }
 
 // ----------------------------------------------------------------------------- D   [1/sr]   int D (n.h) dh = 1

@@ -60,8 +60,8 @@ inline float sigma_blinn(const glm::vec3& n, const glm::vec3& h) {
     return positive_dot(n, h);
 }
 
-/// The exponent that gives Blinn's highlight the width of Phong's. theta is half of rho where n, l, v lie in one plane, and
-/// cos^h rho = cos^h' (rho / 2) makes h' / h tend to 4. True near normal incidence only.    Fisher & Woo 1994
+/// The exponent that gives Blinn's highlight the width of Phong's. theta is half of rho where n, l, v lie in one plane,
+/// and cos^h rho = cos^h' (rho / 2) makes h' / h tend to 4. True near normal incidence only.    Fisher & Woo 1994
 inline float blinn_exponent_matching_phong(float shininess) {
     return 4.0f * shininess;
 }

@@ -19,8 +19,8 @@ glm::mat4 clip_from_view(const Camera& camera, float aspect) {
     }
     const double half_height = 0.5 * camera.height;
     const double half_width = half_height * aspect;
-    return glm::mat4(glm::orthoRH_NO(-half_width, half_width, -half_height, half_height, double{camera.near},
-                                     double{camera.far}));
+    return glm::mat4(
+        glm::orthoRH_NO(-half_width, half_width, -half_height, half_height, double{camera.near}, double{camera.far}));
 }
 
 glm::mat4 clip_from_world(const Camera& camera, float aspect) {

@@ -72,9 +72,8 @@ ClipPolygon clip_triangle(const glm::vec4& a, const glm::vec4& b, const glm::vec
     polygon.count = 3;
     polygon = clip_by_plane(polygon, {0.0, 0.0, 1.0, 1.0});  // near first: afterwards w > 0
     polygon = clip_by_plane(polygon, {0.0, 0.0, -1.0, 1.0}, side == FarSide::before);
-    const std::array<glm::dvec4, 4> sides = {
-        glm::dvec4(1.0, 0.0, 0.0, guard_x), glm::dvec4(-1.0, 0.0, 0.0, guard_x),
-        glm::dvec4(0.0, 1.0, 0.0, guard_y), glm::dvec4(0.0, -1.0, 0.0, guard_y)};
+    const std::array<glm::dvec4, 4> sides = {glm::dvec4(1.0, 0.0, 0.0, guard_x), glm::dvec4(-1.0, 0.0, 0.0, guard_x),
+                                             glm::dvec4(0.0, 1.0, 0.0, guard_y), glm::dvec4(0.0, -1.0, 0.0, guard_y)};
     for (const glm::dvec4& plane : sides) polygon = clip_by_plane(polygon, plane);
     if (polygon.count < 3) return {};
 

@@ -16,7 +16,7 @@ struct FilmSettings {
     ToneMap tone_map = ToneMap::none;  ///< none: clamp to 1
     float white = 4.0f;                ///< reinhard_extended: the radiance that maps to 1
     Transfer transfer = Transfer::srgb;
-    float gamma = 2.2f;                ///< transfer = gamma: encoded = linear^(1/gamma)
+    float gamma = 2.2f;  ///< transfer = gamma: encoded = linear^(1/gamma)
 };
 
 /// Values that no display can show, and how often they came up.

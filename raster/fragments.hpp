@@ -21,8 +21,12 @@ inline constexpr int kChannelSize = kBatchCapacity + kTileSide;
 struct Channel {
     alignas(64) float value[kChannelSize];
 
-    [[nodiscard]] float at(int i) const { return value[i]; }
-    void set(int i, float v) { value[i] = v; }
+    [[nodiscard]] float at(int i) const {
+        return value[i];
+    }
+    void set(int i, float v) {
+        value[i] = v;
+    }
 };
 
 /// Three numbers for each point: a vector or a colour.
@@ -31,7 +35,9 @@ struct Channel3 {
     alignas(64) float y[kChannelSize];
     alignas(64) float z[kChannelSize];
 
-    [[nodiscard]] glm::vec3 at(int i) const { return {x[i], y[i], z[i]}; }
+    [[nodiscard]] glm::vec3 at(int i) const {
+        return {x[i], y[i], z[i]};
+    }
     void set(int i, const glm::vec3& v) {
         x[i] = v.x;
         y[i] = v.y;
@@ -50,13 +56,15 @@ struct Run {
 /// Attributes of the points of a batch, interpolated. Those that the plan does not ask for hold nothing.
 struct Fragments {
     int count = 0;
-    std::uint32_t sample[kChannelSize];  ///< its number in the picture, row by row from the top; only for what was found there
-    Channel3 position;  ///< world space
-    Channel3 normal;    ///< world space, as interpolated: not normalized
-    Channel3 face_normal;  ///< world space, perpendicular to the triangle, on the side of the vertices' normals; any length
-    Channel3 color;     ///< lit at the vertices (Gouraud) or once a triangle (flat)
-    Channel fog;        ///< fog factor of the vertices
-    Channel u, v;       ///< texture coordinates
+    std::uint32_t
+        sample[kChannelSize];  ///< its number in the picture, row by row from the top; only for what was found there
+    Channel3 position;         ///< world space
+    Channel3 normal;           ///< world space, as interpolated: not normalized
+    Channel3
+        face_normal;  ///< world space, perpendicular to the triangle, on the side of the vertices' normals; any length
+    Channel3 color;   ///< lit at the vertices (Gouraud) or once a triangle (flat)
+    Channel fog;      ///< fog factor of the vertices
+    Channel u, v;     ///< texture coordinates
     Channel du_dx, dv_dx;  ///< u and v of the sample to the right minus those here, both on this sample's triangle
     Channel du_dy, dv_dy;  ///< the same for the sample below
     Channel3 tangent;      ///< world space, along growing u, as interpolated: not normalized
@@ -74,16 +82,20 @@ struct FragmentNeeds {
     bool tangent = false;
     bool fog = false;
 
-    [[nodiscard]] bool any() const { return position || normal || face_normal || color || uv || tangent || fog; }
+    [[nodiscard]] bool any() const {
+        return position || normal || face_normal || color || uv || tangent || fog;
+    }
 };
 
 enum class AttributeInterpolation { perspective, affine };
 
-/// Find the runs of a tile, row by row from the top, left to right. `runs` has room for one a sample. Returns their number.
+/// Find the runs of a tile, row by row from the top, left to right. `runs` has room for one a sample. Returns their
+/// number.
 int find_runs(const TileVisibility& tile, const TileArea& area, const TriangleSet& set, Run* runs);
 
 /// Interpolate the attributes asked for over `run_count` runs, one behind the other, into the batch.
-///   lambda_i = E_i / (E_0 + E_1 + E_2)      q_i = lambda_i / w_i      a = sum q_i a_i / sum q_i       Heckbert & Moreton 1991
+///   lambda_i = E_i / (E_0 + E_1 + E_2)      q_i = lambda_i / w_i      a = sum q_i a_i / sum q_i       Heckbert &
+///   Moreton 1991
 /// E_i are the exact integers (in double they stay exact up to 2^53); `affine` leaves out 1/w, to show why not.
 /// Steps of uv to the neighbours come from the plane of the triangle itself, wherever it ends, so they do not depend on
 /// tiles, runs or other triangles:   u' - u = sum dq_i (u_i - u) / sum (q_i + dq_i).

@@ -23,13 +23,23 @@ struct Image {
         KREDA_EXPECT(c >= 0 && c < channels && x >= 0 && x < width && y >= 0 && y < height);
         return (std::size_t(c) * std::size_t(height) + std::size_t(y)) * std::size_t(width) + std::size_t(x);
     }
-    [[nodiscard]] float at(int c, int x, int y) const { return values[index(c, x, y)]; }
-    [[nodiscard]] float& at(int c, int x, int y) { return values[index(c, x, y)]; }
+    [[nodiscard]] float at(int c, int x, int y) const {
+        return values[index(c, x, y)];
+    }
+    [[nodiscard]] float& at(int c, int x, int y) {
+        return values[index(c, x, y)];
+    }
 
     /// The first value of channel c; width * height values follow, row by row.
-    [[nodiscard]] const float* plane(int c) const { return values.data() + plane_size() * std::size_t(c); }
-    [[nodiscard]] float* plane(int c) { return values.data() + plane_size() * std::size_t(c); }
-    [[nodiscard]] std::size_t plane_size() const { return std::size_t(width) * std::size_t(height); }
+    [[nodiscard]] const float* plane(int c) const {
+        return values.data() + plane_size() * std::size_t(c);
+    }
+    [[nodiscard]] float* plane(int c) {
+        return values.data() + plane_size() * std::size_t(c);
+    }
+    [[nodiscard]] std::size_t plane_size() const {
+        return std::size_t(width) * std::size_t(height);
+    }
 
     /// The first three channels of a pixel; an image of one or two channels is grey.
     [[nodiscard]] glm::vec3 rgb(int x, int y) const {

@@ -21,14 +21,17 @@ struct MeshPart {
 
 /// Triangles are counter-clockwise seen from outside. Every attribute array that is not empty has one entry a vertex.
 struct Mesh {
-    std::vector<glm::vec3> positions;    ///< object space
-    std::vector<glm::vec3> normals;      ///< object space, unit
-    std::vector<glm::vec2> uvs;          ///< (0,0) lower left of the texture; empty: the mesh has none
-    std::vector<glm::vec4> tangents;     ///< xyz unit, along growing u; w = +1, or -1 where uv is mirrored: make_tangents()
+    std::vector<glm::vec3> positions;  ///< object space
+    std::vector<glm::vec3> normals;    ///< object space, unit
+    std::vector<glm::vec2> uvs;        ///< (0,0) lower left of the texture; empty: the mesh has none
+    std::vector<glm::vec4>
+        tangents;  ///< xyz unit, along growing u; w = +1, or -1 where uv is mirrored: make_tangents()
     std::vector<std::uint32_t> indices;  ///< three a triangle, each < positions.size()
     std::vector<MeshPart> parts;         ///< cover all triangles, in order
 
-    [[nodiscard]] std::uint32_t triangle_count() const { return static_cast<std::uint32_t>(indices.size() / 3); }
+    [[nodiscard]] std::uint32_t triangle_count() const {
+        return static_cast<std::uint32_t>(indices.size() / 3);
+    }
 };
 
 }  // namespace kreda::raster

@@ -32,7 +32,9 @@ std::uint64_t hash_bits(const PositionBits& bits) {
     return h;
 }
 
-bool is_finite(glm::vec3 p) { return std::isfinite(p.x) && std::isfinite(p.y) && std::isfinite(p.z); }
+bool is_finite(glm::vec3 p) {
+    return std::isfinite(p.x) && std::isfinite(p.y) && std::isfinite(p.z);
+}
 
 void check_vertices(const Mesh& mesh, MeshReport& report) {
     bool is_first = true;

@@ -28,13 +28,17 @@ std::vector<glm::dvec3> all_area_vectors(const Mesh& mesh) {
     return vectors;
 }
 
-bool is_degenerate(glm::dvec3 area_vector) { return area_vector == glm::dvec3(0.0); }
+bool is_degenerate(glm::dvec3 area_vector) {
+    return area_vector == glm::dvec3(0.0);
+}
 
 /// Disjoint sets over the corners (Tarjan 1975, with path halving). The smaller corner becomes the name.
 struct Clusters {
     std::vector<std::uint32_t> parent;
 
-    explicit Clusters(std::size_t corners) : parent(corners) { std::iota(parent.begin(), parent.end(), 0u); }
+    explicit Clusters(std::size_t corners) : parent(corners) {
+        std::iota(parent.begin(), parent.end(), 0u);
+    }
 
     std::uint32_t find(std::uint32_t corner) {
         while (parent[corner] != corner) corner = parent[corner] = parent[parent[corner]];
@@ -63,8 +67,10 @@ std::vector<Side> sorted_sides(const Mesh& mesh, const std::vector<std::uint32_t
         const std::uint32_t next = corner % 3 == 2 ? corner - 2 : corner + 1;
         const std::uint64_t from = point_of_vertex[mesh.indices[corner]];
         const std::uint64_t to = point_of_vertex[mesh.indices[next]];
-        if (from < to) sides.push_back({from << 32 | to, corner, next});
-        else sides.push_back({to << 32 | from, next, corner});
+        if (from < to)
+            sides.push_back({from << 32 | to, corner, next});
+        else
+            sides.push_back({to << 32 | from, next, corner});
     }
     std::ranges::sort(sides, [](const Side& a, const Side& b) {
         return a.points != b.points ? a.points < b.points : a.low_corner < b.low_corner;

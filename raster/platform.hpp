@@ -7,20 +7,20 @@
 /// KREDA_EXPECT(condition): a programmer's error stops the program with its place (debug, asan and test builds).
 /// It is for broken contracts between functions; what a user can get wrong is reported by scene/error.hpp.
 #if !defined(NDEBUG) || defined(KREDA_CHECKS)
-#define KREDA_EXPECT(condition)                                                                       \
-    do {                                                                                              \
-        if (!(condition)) {                                                                           \
-            std::fprintf(stderr, "%s:%d: expected: %s\n", __FILE__, __LINE__, #condition);            \
-            std::abort();                                                                             \
-        }                                                                                             \
+#define KREDA_EXPECT(condition)                                                            \
+    do {                                                                                   \
+        if (!(condition)) {                                                                \
+            std::fprintf(stderr, "%s:%d: expected: %s\n", __FILE__, __LINE__, #condition); \
+            std::abort();                                                                  \
+        }                                                                                  \
     } while (false)
 #else
 #define KREDA_EXPECT(condition) static_cast<void>(0)
 #endif
 
 /// Marks a batch loop: a function that runs one scalar formula over a whole batch. In `release` GCC compiles it once
-/// for SSE4.2, once for AVX2 and once for AVX-512, and the right one is picked when the program starts. A clone inlines what it
-/// calls, so nothing compiled for a newer machine leaks into the rest of the program.
+/// for SSE4.2, once for AVX2 and once for AVX-512, and the right one is picked when the program starts. A clone inlines
+/// what it calls, so nothing compiled for a newer machine leaks into the rest of the program.
 #if defined(KREDA_BATCH_LOOP)
 // chosen by a check of the build, see tests/vectorized
 #elif defined(KREDA_MULTIVERSION)

@@ -16,9 +16,9 @@ struct TileVisibility {
 
 /// A tile's place on the sample grid.
 struct TileArea {
-    int x = 0, y = 0;            ///< its first sample
-    int width = 0, height = 0;   ///< at most kTileSide; less at the right and lower border of the image
-    int index = 0;               ///< row * columns + column
+    int x = 0, y = 0;           ///< its first sample
+    int width = 0, height = 0;  ///< at most kTileSide; less at the right and lower border of the image
+    int index = 0;              ///< row * columns + column
 };
 
 [[nodiscard]] TileArea tile_area(const TileGrid& grid, const Viewport& viewport, int index);
@@ -27,8 +27,7 @@ struct TileArea {
 [[nodiscard]] bool any_triangle_touches(const TriangleSet& set, const TileArea& area);
 
 /// Clear the tile and draw all triangles of the set that touch it, in order.
-void rasterize_tile(const VertexStreams& streams, const TriangleSet& set, const TileArea& area,
-                    TileVisibility& tile);
+void rasterize_tile(const VertexStreams& streams, const TriangleSet& set, const TileArea& area, TileVisibility& tile);
 
 /// The whole image tile by tile (for tests and for stages that look at the whole buffer).
 [[nodiscard]] VisibilityBuffer rasterize_tiled(const VertexStreams& streams, const TriangleSet& set,

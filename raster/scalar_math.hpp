@@ -20,71 +20,77 @@
 
 namespace kreda::raster {
 
-inline constexpr float kPi        = 3.14159265358979323846f;
-inline constexpr float kTwoPi     = 6.28318530717958647693f;
-inline constexpr float kInvPi     = 0.31830988618379067154f;                 ///< 1 / pi
-inline constexpr float kMinNormal = std::numeric_limits<float>::min();       ///< 2^-126, the smallest normal number
-inline constexpr float kMaxFinite = std::numeric_limits<float>::max();       ///< just below 2^128
-inline constexpr float kInfinity  = std::numeric_limits<float>::infinity();
+inline constexpr float kPi = 3.14159265358979323846f;
+inline constexpr float kTwoPi = 6.28318530717958647693f;
+inline constexpr float kInvPi = 0.31830988618379067154f;                ///< 1 / pi
+inline constexpr float kMinNormal = std::numeric_limits<float>::min();  ///< 2^-126, the smallest normal number
+inline constexpr float kMaxFinite = std::numeric_limits<float>::max();  ///< just below 2^128
+inline constexpr float kInfinity = std::numeric_limits<float>::infinity();
 
 // ---------------------------------------------------------------------------------------------------- helpers
 
 /// Angle in radians of an angle in degrees. At most 1.5 ulp from the exact product.
-inline float radians(float angle_deg) { return angle_deg * 0.01745329251994329577f; }
+inline float radians(float angle_deg) {
+    return angle_deg * 0.01745329251994329577f;
+}
 
 /// x clamped to [0, 1]. NaN and -0 become +0: a spoiled pixel turns black instead of spoiling its neighbours.
-/// Floats that are not negative are in the same order as their bits, so the second clamp is the smaller of two integers:
-/// one vector instruction where a choice between floats takes two.
+/// Floats that are not negative are in the same order as their bits, so the second clamp is the smaller of two
+/// integers: one vector instruction where a choice between floats takes two.
 inline float saturate(float x) {
     constexpr std::int32_t kOneBits = 0x3f800000;
-    const float        at_least_0 = x > 0.0f ? x : 0.0f;
-    const std::int32_t bits       = std::bit_cast<std::int32_t>(at_least_0);
+    const float at_least_0 = x > 0.0f ? x : 0.0f;
+    const std::int32_t bits = std::bit_cast<std::int32_t>(at_least_0);
     return std::bit_cast<float>(bits < kOneBits ? bits : kOneBits);
 }
 
 /// Linear interpolation   (1 - t) a + t b     Exact at both ends (the form a + t (b - a) may miss b).
 /// Finite a and b only: 0 * inf is NaN. Between the ends each of the four operations rounds once.
-inline float lerp(float a, float b, float t) { return (1.0f - t) * a + t * b; }
+inline float lerp(float a, float b, float t) {
+    return (1.0f - t) * a + t * b;
+}
 
 /// floor(x + 1/2) as an integer, without the rounding error of that sum: 2.5 -> 3, -2.5 -> -2, 0.49999997 -> 0.
 /// Requires |x| < 2^31.
 inline std::int32_t round_half_up_to_int(float x) {
-    const std::int32_t truncated = static_cast<std::int32_t>(x);             // towards 0
-    const float        fraction  = x - static_cast<float>(truncated);        // exact, in (-1, 1), the sign of x
+    const std::int32_t truncated = static_cast<std::int32_t>(x);  // towards 0
+    const float fraction = x - static_cast<float>(truncated);     // exact, in (-1, 1), the sign of x
     return truncated + (fraction >= 0.5f) - (fraction < -0.5f);
 }
 
 /// True unless x is NaN or an infinity: those two have all eight exponent bits set.
-inline bool is_finite(float x) { return (std::bit_cast<std::uint32_t>(x) & 0x7f800000u) != 0x7f800000u; }
+inline bool is_finite(float x) {
+    return (std::bit_cast<std::uint32_t>(x) & 0x7f800000u) != 0x7f800000u;
+}
 
 // --------------------------------------------------------------------------------------- the bits of a float
 
 /// x = mantissa * 2^exponent for a positive normal x.
 struct MantissaExponent {
-    float        mantissa;   ///< in [sqrt(1/2), sqrt(2)): 1 lies inside, so log2(mantissa) is small near x = 1
+    float mantissa;  ///< in [sqrt(1/2), sqrt(2)): 1 lies inside, so log2(mantissa) is small near x = 1
     std::int32_t exponent;
 };
 
 inline MantissaExponent split_mantissa(float x) {
-    constexpr std::uint32_t kSqrtHalfBits = 0x3f3504f3u;                     // 0.70710677f
-    const std::uint32_t bits     = std::bit_cast<std::uint32_t>(x);
-    const std::int32_t  exponent = static_cast<std::int32_t>(bits - kSqrtHalfBits) >> 23;
-    const std::uint32_t shifted  = static_cast<std::uint32_t>(exponent) << 23;
+    constexpr std::uint32_t kSqrtHalfBits = 0x3f3504f3u;  // 0.70710677f
+    const std::uint32_t bits = std::bit_cast<std::uint32_t>(x);
+    const std::int32_t exponent = static_cast<std::int32_t>(bits - kSqrtHalfBits) >> 23;
+    const std::uint32_t shifted = static_cast<std::uint32_t>(exponent) << 23;
     return {std::bit_cast<float>(bits - shifted), exponent};
 }
 
 /// x = integer + fraction, integer the nearest one. For |x| < 2^22.
 struct IntegerFraction {
-    float         integer;
-    float         fraction;       ///< in [-1/2, 1/2], exact
-    std::uint32_t integer_bits;   ///< the integer in two's complement
+    float integer;
+    float fraction;              ///< in [-1/2, 1/2], exact
+    std::uint32_t integer_bits;  ///< the integer in two's complement
 };
 
 /// Adding 1.5 * 2^23 pushes the fraction out of the mantissa (rounding to nearest) and leaves the integer in its low
 /// bits. No conversion to int: that would be undefined for the NaN and the huge x that the callers select away later.
 inline IntegerFraction split_fraction(float x) {
-    constexpr float kMagic = 12582912.0f;                                    // 1.5 * 2^23
-    const float pushed  = x + kMagic;
+    constexpr float kMagic = 12582912.0f;  // 1.5 * 2^23
+    const float pushed = x + kMagic;
     const float integer = pushed - kMagic;
     const std::uint32_t integer_bits = std::bit_cast<std::uint32_t>(pushed) - std::bit_cast<std::uint32_t>(kMagic);
     return {integer, x - integer, integer_bits};
@@ -105,33 +111,35 @@ inline float exp2_of_fraction(float f) {
     p = p * f + 0.00961847045f;
     p = p * f + 0.0555033945f;
     p = p * f + 0.240226477f;
-    p = p * f + 0.193147197f;                                                // ln 2 - 1/2
+    p = p * f + 0.193147197f;  // ln 2 - 1/2
     return 1.0f + (0.5f * f + f * p);
 }
 
 /// 2^(x + x_low), where x_low is what the rounding of a longer exponent to the float x left over (see pow).
 inline float exp2_of_sum(float x, float x_low) {
     const IntegerFraction split = split_fraction(x);
-    const float p      = exp2_of_fraction(split.fraction + x_low);
+    const float p = exp2_of_fraction(split.fraction + x_low);
     const float normal = scale_by_power_of_two(p, split.integer_bits);
-    const float above_underflow = (x + 126.0f) + x_low;                      // x = -126 with x_low < 0 is below 2^-126
+    const float above_underflow = (x + 126.0f) + x_low;  // x = -126 with x_low < 0 is below 2^-126
     const float result = above_underflow >= 0.0f ? normal : 0.0f;
-    return x < 128.0f ? result : x + kInfinity;                              // NaN + inf is NaN
+    return x < 128.0f ? result : x + kInfinity;  // NaN + inf is NaN
 }
 
 /// 2^x     Method: 2^x = 2^n 2^f, n the nearest integer, f = x - n (exact), 2^f by a polynomial, 2^n by exponent bits.
 /// Error, every float checked: at most 0.83 ulp. Integers are exact; never decreasing.
 /// x >= 128 -> inf; x < -126 -> 0 (the result would be subnormal); NaN -> NaN.
-inline float exp2(float x) { return exp2_of_sum(x, 0.0f); }
+inline float exp2(float x) {
+    return exp2_of_sum(x, 0.0f);
+}
 
 /// e^x     Method (Cody and Waite 1980): n = round(x / ln 2), r = x - n ln 2, e^x = 2^n e^r. ln 2 is the sum of a short
 /// number, so that n * kLn2High is exact, and a small rest. e^r = 1 + r + r^2 P(r), degree 6, fit error 3.1e-9.
 /// Error, every float checked: at most 0.991 ulp. exp(0) = 1; never decreasing.
 /// x >= 88.72284 -> inf; x < -87.33654 -> 0 (the result would be subnormal); NaN -> NaN.
 inline float exp(float x) {
-    constexpr float kLog2E   = 1.44269504f;
-    constexpr float kLn2High = 0.693359375f;                                 // 355 / 512: 9 bits
-    constexpr float kLn2Low  = -2.12194440e-4f;
+    constexpr float kLog2E = 1.44269504f;
+    constexpr float kLn2High = 0.693359375f;  // 355 / 512: 9 bits
+    constexpr float kLn2Low = -2.12194440e-4f;
     const IntegerFraction split = split_fraction(x * kLog2E);
     const float r = (x - split.integer * kLn2High) - split.integer * kLn2Low;
     float p = 0.00138210109f;
@@ -156,16 +164,16 @@ inline float exp(float x) {
 inline double log2_in_double(float x) {
     const MantissaExponent split = split_mantissa(x);
     const float finite_exponent = static_cast<float>(split.exponent);
-    const float upper_exponent  = x <= kMaxFinite ? finite_exponent : x;     // inf or NaN
-    const float exponent        = x < kMinNormal ? -kInfinity : upper_exponent;
+    const float upper_exponent = x <= kMaxFinite ? finite_exponent : x;  // inf or NaN
+    const float exponent = x < kMinNormal ? -kInfinity : upper_exponent;
 
-    const float t  = split.mantissa - 1.0f;
+    const float t = split.mantissa - 1.0f;
     const float t2 = t * t;
     const float p01 = 0.480898231f - 0.360696644f * t;
     const float p23 = 0.28856793f - 0.239617974f * t;
     const float p45 = 0.204592153f - 0.191050202f * t;
     const float p67 = 0.186218396f - 0.110028453f * t;
-    const float p   = (p01 + p23 * t2) + (p45 + p67 * t2) * (t2 * t2);
+    const float p = (p01 + p23 * t2) + (p45 + p67 * t2) * (t2 * t2);
 
     const double t_wide = t;
     const double q = 1.4426950408300439 + t_wide * (-0.72134735146357776 + t_wide * p);
@@ -175,7 +183,9 @@ inline double log2_in_double(float x) {
 /// log2 x     Method: log2_in_double, rounded once to float.
 /// Error, every float checked: at most 0.67 ulp. Powers of two are exact; never decreasing.
 /// x < 2^-126 (so 0, too, and negative x, unlike std::log2) -> -inf; inf -> inf; NaN -> NaN.
-inline float log2(float x) { return static_cast<float>(log2_in_double(x)); }
+inline float log2(float x) {
+    return static_cast<float>(log2_in_double(x));
+}
 
 /// A number as the sum of two floats: high is the nearest float, low what is left.
 struct TwoFloats {
@@ -186,7 +196,7 @@ struct TwoFloats {
 /// error of the result; then as two floats, for twice the lanes.
 inline TwoFloats log2_of_pow(float x, float y) {
     const double exponent = y * log2_in_double(x);
-    const float  high     = static_cast<float>(exponent);
+    const float high = static_cast<float>(exponent);
     return {high, static_cast<float>(exponent - high)};
 }
 

@@ -28,12 +28,9 @@ struct ShapeEntry {
 };
 
 constexpr std::array kShapes = {
-    ShapeEntry{"cube", make_cube, 1, 2048, 1},
-    ShapeEntry{"sphere", make_sphere, 4, 4096, 64},
-    ShapeEntry{"torus", make_torus, 6, 4096, 64},
-    ShapeEntry{"torus_knot", make_torus_knot, 24, 4096, 256},
-    ShapeEntry{"plane", make_plane, 1, 4096, 1},
-    ShapeEntry{"teapot", make_teapot, 2, 1024, 16},
+    ShapeEntry{"cube", make_cube, 1, 2048, 1},        ShapeEntry{"sphere", make_sphere, 4, 4096, 64},
+    ShapeEntry{"torus", make_torus, 6, 4096, 64},     ShapeEntry{"torus_knot", make_torus_knot, 24, 4096, 256},
+    ShapeEntry{"plane", make_plane, 1, 4096, 1},      ShapeEntry{"teapot", make_teapot, 2, 1024, 16},
     ShapeEntry{"terrain", make_terrain, 1, 4096, 64},
 };
 
@@ -49,12 +46,13 @@ struct Height {
     double dy_dz = 0.0;
 };
 
-Height flat_height(double, double) { return {}; }
+Height flat_height(double, double) {
+    return {};
+}
 
 /// y = 0.15 sin(7x) cos(5z)
 Height terrain_height(double x, double z) {
-    return {0.15 * std::sin(7 * x) * std::cos(5 * z),
-            0.15 * 7 * std::cos(7 * x) * std::cos(5 * z),
+    return {0.15 * std::sin(7 * x) * std::cos(5 * z), 0.15 * 7 * std::cos(7 * x) * std::cos(5 * z),
             -0.15 * 5 * std::sin(7 * x) * std::sin(5 * z)};
 }
 
@@ -124,9 +122,12 @@ Mesh make_cube(int detail) {
         glm::dvec3 normal, right, up;  // right x up = normal
     };
     constexpr double o = 0.0;
-    const std::array<Face, 6> faces = {{{{1, o, o}, {o, o, -1}, {o, 1, o}}, {{-1, o, o}, {o, o, 1}, {o, 1, o}},
-                                        {{o, 1, o}, {1, o, o}, {o, o, -1}}, {{o, -1, o}, {1, o, o}, {o, o, 1}},
-                                        {{o, o, 1}, {1, o, o}, {o, 1, o}},  {{o, o, -1}, {-1, o, o}, {o, 1, o}}}};
+    const std::array<Face, 6> faces = {{{{1, o, o}, {o, o, -1}, {o, 1, o}},
+                                        {{-1, o, o}, {o, o, 1}, {o, 1, o}},
+                                        {{o, 1, o}, {1, o, o}, {o, o, -1}},
+                                        {{o, -1, o}, {1, o, o}, {o, o, 1}},
+                                        {{o, o, 1}, {1, o, o}, {o, 1, o}},
+                                        {{o, o, -1}, {-1, o, o}, {o, 1, o}}}};
     Mesh mesh;
     for (const Face& face : faces) {
         const auto first_vertex = static_cast<std::uint32_t>(mesh.positions.size());

@@ -59,12 +59,9 @@ void sample_channel(const Fragments& fragments, const Channel& level, const Text
     const Places places{fragments.u.value, fragments.v.value, level.value, lookup.scale};
     const int lanes = lanes_for(fragments.count);
     switch (lookup.filter) {
-        case TextureFilter::nearest:
-            return nearest_channel(places, lanes, view, view.texels, channel, out);
-        case TextureFilter::bilinear:
-            return bilinear_channel(places, lanes, view, view.texels, channel, out);
-        case TextureFilter::trilinear:
-            return trilinear_channel(places, lanes, view, view.texels, channel, out);
+        case TextureFilter::nearest: return nearest_channel(places, lanes, view, view.texels, channel, out);
+        case TextureFilter::bilinear: return bilinear_channel(places, lanes, view, view.texels, channel, out);
+        case TextureFilter::trilinear: return trilinear_channel(places, lanes, view, view.texels, channel, out);
     }
 }
 

@@ -30,8 +30,7 @@ KnotFrame knot_frame(double t) {
     const double sin3 = std::sin(3 * t), cos3 = std::cos(3 * t);
     const double reach = kRingRadius + kCoilRadius * cos3;
     const glm::dvec3 center(reach * sin2, kCoilRadius * sin3, reach * cos2);
-    const glm::dvec3 derivative(-3 * kCoilRadius * sin3 * sin2 + 2 * reach * cos2,
-                                3 * kCoilRadius * cos3,
+    const glm::dvec3 derivative(-3 * kCoilRadius * sin3 * sin2 + 2 * reach * cos2, 3 * kCoilRadius * cos3,
                                 -3 * kCoilRadius * sin3 * cos2 - 2 * reach * sin2);
     const glm::dvec3 tangent = glm::normalize(derivative);
     const glm::dvec3 normal(cos3 * sin2, sin3, cos3 * cos2);

@@ -14,19 +14,19 @@ namespace kreda::raster {
 /// A triangle on the screen: three vertices in the streams, clockwise with y down, so that its area is positive.
 struct ScreenTriangle {
     std::array<std::uint32_t, 3> vertex{};
-    std::uint32_t source = 0;    ///< number of the scene's triangle it came from, counted over all instances
+    std::uint32_t source = 0;  ///< number of the scene's triangle it came from, counted over all instances
     std::uint32_t material = 0;
 };
 
 /// Triangles that were left out, and why.
 struct TriangleCounts {
     std::uint64_t input = 0;
-    std::uint64_t drawn = 0;        ///< triangles that reach the tiles; one that was clipped may become several
-    std::uint64_t culled = 0;       ///< facing the wrong way
-    std::uint64_t outside = 0;      ///< outside the view, or between the sample centres
-    std::uint64_t degenerate = 0;   ///< no area after the snap to 1/256 sample
-    std::uint64_t non_finite = 0;   ///< a corner is NaN or infinite
-    std::uint64_t clipped = 0;      ///< went through the clipper
+    std::uint64_t drawn = 0;       ///< triangles that reach the tiles; one that was clipped may become several
+    std::uint64_t culled = 0;      ///< facing the wrong way
+    std::uint64_t outside = 0;     ///< outside the view, or between the sample centres
+    std::uint64_t degenerate = 0;  ///< no area after the snap to 1/256 sample
+    std::uint64_t non_finite = 0;  ///< a corner is NaN or infinite
+    std::uint64_t clipped = 0;     ///< went through the clipper
 };
 
 /// Triangles are set up in chunks of this many, whatever the number of threads, so that the order never changes.
@@ -38,11 +38,11 @@ inline constexpr int kChunkShift = 16;
 /// The set-up triangles of one chunk, in the order in which they are drawn, and for each tile those that touch it.
 struct TriangleChunk {
     std::vector<ScreenTriangle> triangles;
-    std::vector<std::uint32_t> tile_begin;      ///< tile t owns tile_entries[tile_begin[t] .. tile_begin[t+1])
-    std::vector<std::uint16_t> tile_entries;    ///< indices into triangles, in drawing order
+    std::vector<std::uint32_t> tile_begin;    ///< tile t owns tile_entries[tile_begin[t] .. tile_begin[t+1])
+    std::vector<std::uint16_t> tile_entries;  ///< indices into triangles, in drawing order
     TriangleCounts counts;
-    std::uint32_t instance = 0;                 ///< all triangles of a chunk belong to one mesh instance
-    std::uint32_t first_source = 0;             ///< number of that instance's first triangle over all instances
+    std::uint32_t instance = 0;      ///< all triangles of a chunk belong to one mesh instance
+    std::uint32_t first_source = 0;  ///< number of that instance's first triangle over all instances
 };
 
 /// All triangles of a frame. Reused from frame to frame, so that memory is asked for once.
@@ -60,8 +60,9 @@ struct TriangleSet {
     return static_cast<std::uint32_t>(chunk << kChunkShift | index);
 }
 
-/// The corner from which a fan of triangles covers a clipped polygon without folding over. It is convex before the snap to
-/// 1/256 sample; a sliver may come out of it slightly concave, and then a fan from the wrong corner covers samples twice.
+/// The corner from which a fan of triangles covers a clipped polygon without folding over. It is convex before the snap
+/// to 1/256 sample; a sliver may come out of it slightly concave, and then a fan from the wrong corner covers samples
+/// twice.
 [[nodiscard]] int fan_apex(const ScreenVertex* corner, int count);
 
 /// Cull, clip and bin the triangles of all instances. New vertices made by the clipper are appended to the streams,

@@ -68,9 +68,7 @@ void transform_run(const MeshInstance& instance, const glm::mat4& clip_from_worl
         transform_normals(&mesh.normals[begin], count, normal_from_object(instance.world_from_object),
                           &streams.normal_world[to]);
     }
-    if (!streams.uv.empty() && !mesh.uvs.empty()) {
-        std::copy_n(&mesh.uvs[begin], count, &streams.uv[to]);
-    }
+    if (!streams.uv.empty() && !mesh.uvs.empty()) { std::copy_n(&mesh.uvs[begin], count, &streams.uv[to]); }
     if (!streams.tangent_world.empty() && !mesh.tangents.empty()) {
         transform_tangents(&mesh.tangents[begin], count, glm::mat3(instance.world_from_object),
                            &streams.tangent_world[to]);
@@ -79,8 +77,7 @@ void transform_run(const MeshInstance& instance, const glm::mat4& clip_from_worl
 
 }  // namespace
 
-std::uint32_t lay_out_vertices(std::vector<MeshInstance>& instances, const VertexNeeds& needs,
-                               VertexStreams& streams) {
+std::uint32_t lay_out_vertices(std::vector<MeshInstance>& instances, const VertexNeeds& needs, VertexStreams& streams) {
     std::uint32_t count = 0;
     for (MeshInstance& instance : instances) {
         instance.first_vertex = count;

@@ -52,7 +52,8 @@ std::uint32_t lay_out_vertices(std::vector<MeshInstance>& instances, const Verte
 /// The normal's matrix: inverse transpose of the upper 3x3, so that normals stay perpendicular under any scaling.
 [[nodiscard]] glm::mat3 normal_from_object(const glm::mat4& world_from_object);
 
-/// Transform all vertices of all instances into the streams (screen, and position, normal, uv, tangent as far as needed).
+/// Transform all vertices of all instances into the streams (screen, and position, normal, uv, tangent as far as
+/// needed).
 void transform_vertices(const std::vector<MeshInstance>& instances, const glm::mat4& clip_from_world,
                         const Viewport& viewport, VertexStreams& streams);
 

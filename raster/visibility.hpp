@@ -20,7 +20,9 @@ struct VisibilityBuffer {
 
     VisibilityBuffer() = default;
     VisibilityBuffer(int w, int h)
-        : width(w), height(h), depth(static_cast<std::size_t>(w) * h, kClearDepth),
+        : width(w),
+          height(h),
+          depth(static_cast<std::size_t>(w) * h, kClearDepth),
           triangle(static_cast<std::size_t>(w) * h, kNoTriangle) {}
 };
 

@@ -1,4 +1,4 @@
-#include "scene/read_scene.hpp"
+#include "scene/files/read_scene.hpp"
 
 namespace kreda::scene {
 

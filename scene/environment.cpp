@@ -55,7 +55,8 @@ PreparedEnvironment prepare_environment(const EnvironmentSettings& settings, con
 bool serves(const PreparedEnvironment& prepared, const EnvironmentSettings& settings,
             const lighting::EnvironmentNeeds& needs) {
     const bool same_sky = settings.image || prepared.sky == settings.sky;
-    return prepared.image == settings.image && same_sky && prepared.samples == settings.samples && prepared.needs == needs;
+    return prepared.image == settings.image && same_sky && prepared.samples == settings.samples &&
+           prepared.needs == needs;
 }
 
 lighting::EnvironmentSetup environment_setup(const EnvironmentSettings& settings, const PreparedEnvironment& prepared) {

@@ -4,11 +4,11 @@
 #include <memory>
 #include <string>
 
-#include "lighting/bake_cost.hpp"
-#include "lighting/environment.hpp"
-#include "lighting/environment_image.hpp"
-#include "lighting/environment_passes.hpp"
-#include "lighting/sky.hpp"
+#include "lighting/batch/environment_passes.hpp"
+#include "lighting/environment/bake_cost.hpp"
+#include "lighting/environment/environment.hpp"
+#include "lighting/environment/environment_image.hpp"
+#include "lighting/environment/sky.hpp"
 #include "raster/image.hpp"
 
 namespace kreda::scene {
@@ -17,15 +17,15 @@ struct PreparedEnvironment;
 
 /// The [environment] table of a scene.
 struct EnvironmentSettings {
-    bool on = false;                                 ///< there is one
-    std::string file;                                ///< as the scene names it; empty: a sky
-    std::shared_ptr<const raster::Image> image;      ///< equirectangular, repaired; nullptr: a sky
+    bool on = false;                             ///< there is one
+    std::string file;                            ///< as the scene names it; empty: a sky
+    std::shared_ptr<const raster::Image> image;  ///< equirectangular, repaired; nullptr: a sky
     lighting::Sky sky = lighting::Sky::studio;
-    float rotation_deg = 0.0f;                       ///< about +y, counter-clockwise seen from above
+    float rotation_deg = 0.0f;  ///< about +y, counter-clockwise seen from above
     float intensity = 1.0f;
     lighting::IrradianceForm irradiance = lighting::IrradianceForm::map;
-    int samples = 2048;                              ///< of the roughest level of the prefiltered map
-    int reference = 0;                               ///< 0: the split sum; else samples a point of the integral itself
+    int samples = 2048;  ///< of the roughest level of the prefiltered map
+    int reference = 0;   ///< 0: the split sum; else samples a point of the integral itself
     std::shared_ptr<const PreparedEnvironment> prepared;  ///< baked already; nullptr: the first frame bakes
 };
 
@@ -44,8 +44,8 @@ struct PreparedEnvironment {
 /// What it costs to make that cube map.
 [[nodiscard]] lighting::BakeCost environment_cost(const EnvironmentSettings& settings);
 
-/// The environment as a cube map with all its mip levels: what everything else is baked from. For rendering neither turned
-/// nor brightened: the settings' rotation and intensity are applied where the maps are read.
+/// The environment as a cube map with all its mip levels: what everything else is baked from. For rendering neither
+/// turned nor brightened: the settings' rotation and intensity are applied where the maps are read.
 [[nodiscard]] lighting::CubeMap environment_cube(const EnvironmentSettings& settings,
                                                  const lighting::Placement& placement = {},
                                                  const lighting::Progress& progress = {});
@@ -53,7 +53,8 @@ struct PreparedEnvironment {
 /// Rotation and intensity.
 [[nodiscard]] lighting::Placement placement_of(const EnvironmentSettings& settings);
 
-/// Bake what is needed. All maps of a 2048 x 1024 image take about 1.2 s on two cores; `progress` is told how far it is.
+/// Bake what is needed. All maps of a 2048 x 1024 image take about 1.2 s on two cores; `progress` is told how far it
+/// is.
 [[nodiscard]] PreparedEnvironment prepare_environment(const EnvironmentSettings& settings,
                                                       const lighting::EnvironmentNeeds& needs,
                                                       const lighting::Progress& progress = {});

@@ -31,8 +31,7 @@ std::size_t edit_distance(const std::string& a, const std::string& b) {
 
 }  // namespace
 
-UserError::UserError(const Place& place, const std::string& message)
-    : std::runtime_error(with_place(place, message)) {}
+UserError::UserError(const Place& place, const std::string& message) : std::runtime_error(with_place(place, message)) {}
 
 std::string nearest_word(const std::string& word, const std::vector<std::string>& candidates) {
     std::string nearest;

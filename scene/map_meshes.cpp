@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <map>
 
-#include "lighting/maps.hpp"
+#include "lighting/batch/maps.hpp"
 #include "raster/tangents.hpp"
 
 namespace kreda::scene {

@@ -32,8 +32,8 @@ enum class Normals { file, smooth, flat };
 struct ImageSettings {
     int width = 640;
     int height = 360;
-    int samples = 1;               ///< n x n supersampling, 1..8
-    glm::vec3 background{0.0f};    ///< linear RGB
+    int samples = 1;             ///< n x n supersampling, 1..8
+    glm::vec3 background{0.0f};  ///< linear RGB
     bool environment_background = false;
     float exposure = 1.0f;
     ToneMap tone_map = ToneMap::none;
@@ -55,27 +55,27 @@ struct ShadingSettings {
 
 /// An instance of a mesh in the world.
 struct Object {
-    std::string mesh_name;                       ///< as written in the scene file
-    std::shared_ptr<const raster::Mesh> mesh;    ///< shared when several objects name the same file and settings
+    std::string mesh_name;                     ///< as written in the scene file
+    std::shared_ptr<const raster::Mesh> mesh;  ///< shared when several objects name the same file and settings
     glm::mat4 world_from_object{1.0f};
-    std::vector<int> part_material;              ///< for each part of the mesh: index into Scene::materials
-    std::vector<bool> part_hidden;               ///< for each part of the mesh: not drawn
+    std::vector<int> part_material;  ///< for each part of the mesh: index into Scene::materials
+    std::vector<bool> part_hidden;   ///< for each part of the mesh: not drawn
     bool casts_shadow = true;
 };
 
 struct Scene {
-    std::string file;                            ///< where it came from; empty: built in
+    std::string file;  ///< where it came from; empty: built in
     ImageSettings image;
     raster::Camera camera;
     ShadingSettings shading;
-    glm::vec3 ambient{0.05f};                    ///< s_A
+    glm::vec3 ambient{0.05f};  ///< s_A
     std::vector<lighting::Light> lights;
-    shadows::ShadowSettings shadow;              ///< for all lights with shadow = true
+    shadows::ShadowSettings shadow;  ///< for all lights with shadow = true
     EnvironmentSettings environment;
     lighting::Fog fog;
-    std::vector<lighting::Material> materials;   ///< at least one when there is an object
+    std::vector<lighting::Material> materials;  ///< at least one when there is an object
     std::vector<Object> objects;
-    std::vector<std::string> warnings;           ///< what was wrong but not fatal while loading, a line each
+    std::vector<std::string> warnings;  ///< what was wrong but not fatal while loading, a line each
 };
 
 }  // namespace kreda::scene

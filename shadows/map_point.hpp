@@ -83,14 +83,10 @@ struct BiasTerms {
 [[nodiscard]] inline BiasTerms bias_terms(const ShadowSettings& settings, float depth_range) {
     const float constant = settings.constant_bias * depth_range;
     switch (settings.bias) {
-        case ShadowBias::none:
-            return {};
-        case ShadowBias::constant:
-            return {constant, 0.0f, 0.0f, 0.0f};
-        case ShadowBias::slope:
-            return {constant, settings.slope_bias, 0.0f, 1.0f};
-        case ShadowBias::normal_offset:
-            return {constant, 0.0f, settings.slope_bias, 1.0f};
+        case ShadowBias::none: return {};
+        case ShadowBias::constant: return {constant, 0.0f, 0.0f, 0.0f};
+        case ShadowBias::slope: return {constant, settings.slope_bias, 0.0f, 1.0f};
+        case ShadowBias::normal_offset: return {constant, 0.0f, settings.slope_bias, 1.0f};
     }
     return {};
 }

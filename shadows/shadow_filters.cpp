@@ -28,8 +28,7 @@ inline void locate_lanes(const Channel3& position, const Channel3& normal, int l
 
 /// The points in the one picture of a directional light or a spot.
 KREDA_BATCH_LOOP void locate_in_picture(const Channel3& position, const Channel3& normal, int lanes,
-                                        const LightView& light_view, int size, const BiasTerms& terms,
-                                        MapPoints& out) {
+                                        const LightView& light_view, int size, const BiasTerms& terms, MapPoints& out) {
     if (light_view.perspective) {
         locate_lanes(position, normal, lanes, light_view, size, terms, true, out);
     } else {
@@ -69,8 +68,8 @@ KREDA_BATCH_LOOP void find_texels(const MapPoints& points, int lanes, const Texe
     }
 }
 
-// The map and what is written are parameters of their own because only `__restrict` tells the compiler that writing does
-// not change the map; without it no loop that looks something up is vectorized.
+// The map and what is written are parameters of their own because only `__restrict` tells the compiler that writing
+// does not change the map; without it no loop that looks something up is vectorized.
 
 /// One tap of a filter, (d_u, d_v) texels beside each point: add 1 where the light arrives. `tap` is the distance that
 /// far from the first texel. The depth test of the camera, seen from the light: lit if nothing that casts lies nearer.
@@ -126,10 +125,8 @@ void shadow_factors(const ShadowMap& map, const raster::Channel3& position, cons
     MapPoints points;
     locate(map, position, normal, lanes, points);
     switch (map.plan.settings.filter) {
-        case ShadowFilter::none:
-            return filter_box(map, points, lanes, 0, shadow);
-        case ShadowFilter::pcf:
-            return filter_box(map, points, lanes, map.plan.settings.radius, shadow);
+        case ShadowFilter::none: return filter_box(map, points, lanes, 0, shadow);
+        case ShadowFilter::pcf: return filter_box(map, points, lanes, map.plan.settings.radius, shadow);
         case ShadowFilter::pcss: {
             SoftShadow soft;
             find_blockers(map, points, lanes, soft);

@@ -14,12 +14,9 @@ using raster::kTileSide;
 
 raster::CullMode cull_mode(CasterCull cull) {
     switch (cull) {
-        case CasterCull::none:
-            return raster::CullMode::none;
-        case CasterCull::back:
-            return raster::CullMode::back;
-        case CasterCull::front:
-            return raster::CullMode::front;
+        case CasterCull::none: return raster::CullMode::none;
+        case CasterCull::back: return raster::CullMode::back;
+        case CasterCull::front: return raster::CullMode::front;
     }
     return raster::CullMode::none;
 }
@@ -110,12 +107,9 @@ void fill_ring(const ShadowMap& map, bool repeat_edge, float* face) {
 
 int filter_margin(const ShadowSettings& settings) {
     switch (settings.filter) {
-        case ShadowFilter::none:
-            return 1;
-        case ShadowFilter::pcf:
-            return settings.radius + 1;
-        case ShadowFilter::pcss:
-            return settings.size / 16 + 1;
+        case ShadowFilter::none: return 1;
+        case ShadowFilter::pcf: return settings.radius + 1;
+        case ShadowFilter::pcss: return settings.size / 16 + 1;
     }
     return 1;
 }

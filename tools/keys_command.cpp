@@ -6,8 +6,8 @@
 
 #include <CLI/CLI.hpp>
 
-#include "scene/read_scene.hpp"
-#include "scene/scene_keys.hpp"
+#include "scene/files/read_scene.hpp"
+#include "scene/files/scene_keys.hpp"
 #include "tools/commands.hpp"
 
 namespace kreda::tools {
@@ -27,19 +27,23 @@ void print_keys() {
         if (key.table != table) std::cout << (table.empty() ? "" : "\n") << scene::table_title(key.table) << "\n";
         table = key.table;
         std::cout << "  " << std::left << std::setw(width) << example_text(key) << key.meaning << "\n"
-                  << "  " << std::setw(width) << "" << "  " << type_text(key) << "\n";
+                  << "  " << std::setw(width) << ""
+                  << "  " << type_text(key) << "\n";
     }
 }
 
 }  // namespace
 
 void add_keys_command(CLI::App& app) {
-    CLI::App* command = app.add_subcommand("keys", "Print every key of a scene file: default, meaning, what may be written");
+    CLI::App* command =
+        app.add_subcommand("keys", "Print every key of a scene file: default, meaning, what may be written");
     const auto example = std::make_shared<bool>(false);
     command->add_flag("--example", *example, "Print a whole scene file to start from instead: the built-in one");
     command->callback([example] {
-        if (*example) std::cout << scene::built_in_scene_text();
-        else print_keys();
+        if (*example)
+            std::cout << scene::built_in_scene_text();
+        else
+            print_keys();
     });
 }
 

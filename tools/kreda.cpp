@@ -31,7 +31,8 @@ Examples:
 
 /// A complaint is one line, whatever is in the names that it quotes.
 int complain(std::string message, int exit_code) {
-    std::replace_if(message.begin(), message.end(), [](unsigned char c) { return c < 32 || c == 127; }, ' ');
+    std::replace_if(
+        message.begin(), message.end(), [](unsigned char c) { return c < 32 || c == 127; }, ' ');
     std::cerr << message << "\n";
     return exit_code;
 }

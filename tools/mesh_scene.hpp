@@ -3,7 +3,7 @@
 
 #include <string>
 
-#include "scene/mesh_file.hpp"
+#include "scene/files/mesh_file.hpp"
 
 namespace kreda::tools {
 

@@ -4,7 +4,7 @@
 
 #include <CLI/CLI.hpp>
 
-#include "scene/plan.hpp"
+#include "scene/plan/plan.hpp"
 #include "tools/commands.hpp"
 #include "tools/scene_options.hpp"
 
@@ -24,14 +24,15 @@ void add_plan_command(CLI::App& app) {
         app.add_subcommand("plan", "Print the passes that a scene requires, each with its reason and its memory");
     const auto options = std::make_shared<PlanOptions>();
     add_scene_options(*command, options->scene);
-    command->add_flag("--why-not", options->why_not, "Also list the passes that are left out, and what would need them");
+    command->add_flag("--why-not", options->why_not,
+                      "Also list the passes that are left out, and what would need them");
     command->footer(
-        "\nA pass that nothing requires is not run and allocates nothing. Costs are estimated from counts before anything is\n"
-        "drawn: an operation is one +, -, *, /, root or comparison of one number, pow counts 60, exp 25; every sample counts as\n"
+        "\nA pass that nothing requires is not run and allocates nothing. Costs are estimated from counts before "
+        "anything is\n"
+        "drawn: an operation is one +, -, *, /, root or comparison of one number, pow counts 60, exp 25; every sample "
+        "counts as\n"
         "covered. Buffers of a tile or batch exist once a thread. kreda render --time measures.");
-    command->callback([options] {
-        std::cout << describe(make_plan(load_scene(options->scene)), options->why_not);
-    });
+    command->callback([options] { std::cout << describe(make_plan(load_scene(options->scene)), options->why_not); });
 }
 
 }  // namespace kreda::tools

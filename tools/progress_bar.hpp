@@ -3,7 +3,7 @@
 
 #include <string>
 
-#include "lighting/progress.hpp"
+#include "lighting/environment/progress.hpp"
 
 namespace kreda::tools {
 
@@ -17,7 +17,9 @@ void show_status(const std::string& text);
 class ProgressBar {
 public:
     explicit ProgressBar(std::string work) : work_(std::move(work)) {}
-    ~ProgressBar() { clear(); }
+    ~ProgressBar() {
+        clear();
+    }
     ProgressBar(const ProgressBar&) = delete;
     ProgressBar& operator=(const ProgressBar&) = delete;
 

@@ -11,16 +11,16 @@
 #include <CLI/CLI.hpp>
 
 #include "raster/film.hpp"
-#include "scene/draw.hpp"
-#include "scene/image_file.hpp"
-#include "scene/light_depth.hpp"
-#include "scene/render.hpp"
-#include "tools/bake_scene.hpp"
+#include "scene/files/image_file.hpp"
+#include "scene/render/light_depth.hpp"
+#include "scene/render/render.hpp"
+#include "tools/bake/bake_scene.hpp"
+#include "tools/bench/time_report.hpp"
 #include "tools/commands.hpp"
+#include "tools/draw/draw.hpp"
+#include "tools/draw/slide.hpp"
 #include "tools/scene_options.hpp"
-#include "tools/slide.hpp"
-#include "tools/stage.hpp"
-#include "tools/time_report.hpp"
+#include "tools/stages/stage.hpp"
 
 namespace kreda::tools {
 
@@ -61,7 +61,8 @@ bool is_exr(const std::string& path) {
 void check_output(const std::string& path) {
     const std::string extension = fs::path(path).extension().string();
     if (!is_exr(path) && extension != ".png" && extension != ".PNG") {
-        throw UserError(Place{path}, "pictures are .png (8-bit sRGB) or .exr (linear float); end the name with one of them");
+        throw UserError(Place{path},
+                        "pictures are .png (8-bit sRGB) or .exr (linear float); end the name with one of them");
     }
     const fs::path folder = fs::path(path).parent_path();
     std::error_code ignored;
@@ -73,9 +74,12 @@ void check_output(const std::string& path) {
 
 void warn_of_film(const raster::FilmReport& report, bool linear) {
     const auto values = [](std::uint64_t count, const char* what) { return std::to_string(count) + what; };
-    if (report.not_a_number > 0) warn(values(report.not_a_number, " values of the picture are not a number; written as 0"));
-    if (report.infinite > 0) warn(values(report.infinite, " values of the picture are infinite; written as the largest value"));
-    if (report.negative > 0 && !linear) warn(values(report.negative, " values of the picture are negative; written as 0"));
+    if (report.not_a_number > 0)
+        warn(values(report.not_a_number, " values of the picture are not a number; written as 0"));
+    if (report.infinite > 0)
+        warn(values(report.infinite, " values of the picture are infinite; written as the largest value"));
+    if (report.negative > 0 && !linear)
+        warn(values(report.negative, " values of the picture are negative; written as 0"));
 }
 
 /// Those of the picture's size, and what a light sees.
@@ -98,11 +102,12 @@ const scene::View* chosen_view(const std::string& name) {
         names.emplace_back(view->name);
     }
     const std::string near = scene::nearest_word(name, names);
-    throw UserError("--view " + name + ": there is no such view" + (near.empty() ? "" : "; did you mean " + near + "?") +
-                    " (kreda render --help lists them)");
+    throw UserError("--view " + name + ": there is no such view" +
+                    (near.empty() ? "" : "; did you mean " + near + "?") + " (kreda render --help lists them)");
 }
 
-void write_view(const std::string& path, const scene::View& view, const raster::Image& values, const scene::Scene& scene) {
+void write_view(const std::string& path, const scene::View& view, const raster::Image& values,
+                const scene::Scene& scene) {
     if (is_exr(path)) {
         const bool grey = view.components == 1;
         scene::write_exr(path, raster::without_non_finite(values),
@@ -140,7 +145,8 @@ SlideText slide_text(const RenderOptions& options, const scene::View* view) {
     if (view) text.remark = view->meaning;
     if (!text.caption.empty()) return text;
     if (view) text.caption = view->name;
-    for (const std::string& change : options.scene.read.overrides) text.caption += (text.caption.empty() ? "" : ", ") + change;
+    for (const std::string& change : options.scene.read.overrides)
+        text.caption += (text.caption.empty() ? "" : ", ") + change;
     return text;
 }
 
@@ -155,7 +161,7 @@ void write_slide(const std::string& path, const RenderOptions& options, const sc
                                  : develop(buffers.film, film_settings(scene.image), &report);
     if (is_light_depth(view)) {
         const glm::ivec2 size = slide_picture_size(picture.width, picture.height);
-        picture = scene::fit(picture, size.x, size.y);
+        picture = fit(picture, size.x, size.y);
     }
     scene::write_png(path, make_slide(picture, slide_text(options, view), slide_ground(options.slides)));
     warn_of_film(report, false);
@@ -210,9 +216,12 @@ void render_command(const RenderOptions& options) {
     for (int i = 0; i < options.repeat; ++i) report.frames.push_back(render(scene, plan, buffers, options.threads));
     const std::uint64_t dropped = report.frames.back().triangles.non_finite;
     if (dropped > 0) warn(std::to_string(dropped) + " triangles were dropped: a corner is not a finite number");
-    if (!options.slides.empty()) write_slide(path, options, view, buffers, scene);
-    else if (view) write_view(path, *view, values_of(*view, buffers), scene);
-    else write_picture(path, buffers.film, scene.image);
+    if (!options.slides.empty())
+        write_slide(path, options, view, buffers, scene);
+    else if (view)
+        write_view(path, *view, values_of(*view, buffers), scene);
+    else
+        write_picture(path, buffers.film, scene.image);
     if (!options.time) return;
     report.width = scene.image.width;
     report.height = scene.image.height;
@@ -262,8 +271,9 @@ void add_render_command(CLI::App& app) {
     const auto options = std::make_shared<RenderOptions>();
     add_scene_options(*command, options->scene);
     add_cache_options(*command, options->cache);
-    command->add_option("-o,--output", options->output,
-                        "The picture: .png (8-bit sRGB) or .exr (linear float); by default SCENE.png in this folder")
+    command
+        ->add_option("-o,--output", options->output,
+                     "The picture: .png (8-bit sRGB) or .exr (linear float); by default SCENE.png in this folder")
         ->type_name("FILE");
     command->add_option("--size", options->size, "Width and height in pixels, e.g. 640x360")->type_name("WxH");
     command->add_option("--samples", options->samples, "N x N samples a pixel (antialiasing)")
@@ -272,12 +282,14 @@ void add_render_command(CLI::App& app) {
     command->add_option("--threads", options->threads, "Threads; by default one a core")
         ->type_name("N")
         ->check(CLI::Range(1, 256));
-    command->add_option("--slides", options->slides,
-                        "A slide of 1920 x 1080, dark or light: the picture in the shape of --size, as large as it fits")
+    command
+        ->add_option("--slides", options->slides,
+                     "A slide of 1920 x 1080, dark or light: the picture in the shape of --size, as large as it fits")
         ->type_name("GROUND");
     command->add_option("--title", options->title, "Title of the slide; by default the example's or the scene's name")
         ->type_name("TEXT");
-    command->add_option("--caption", options->caption, "Caption of the slide; by default the view, or what --set changed")
+    command
+        ->add_option("--caption", options->caption, "Caption of the slide; by default the view, or what --set changed")
         ->type_name("TEXT");
     command->add_flag("--time", options->time, "Print the time of each stage as one line of JSON");
     command->add_option("--repeat", options->repeat, "Draw N times; --time gives the median of each number")

@@ -3,7 +3,7 @@
 
 #include <string>
 
-#include "scene/read_scene.hpp"
+#include "scene/files/read_scene.hpp"
 
 namespace CLI {
 class App;

@@ -4,7 +4,7 @@
 #include <system_error>
 
 #include "scene/error.hpp"
-#include "scene/whole_file.hpp"
+#include "scene/files/whole_file.hpp"
 
 namespace kreda::tools {
 

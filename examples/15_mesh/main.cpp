@@ -12,7 +12,7 @@
 #include "raster/camera.hpp"
 #include "raster/normals.hpp"
 #include "raster/shapes.hpp"
-#include "scene/mesh_file.hpp"
+#include "scene/files/mesh_file.hpp"
 
 using namespace kreda;
 using namespace kreda::examples;

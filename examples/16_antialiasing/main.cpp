@@ -9,7 +9,7 @@
 
 #include "examples/draw.hpp"
 #include "examples/example.hpp"
-#include "scene/render.hpp"
+#include "scene/render/render.hpp"
 
 using namespace kreda;
 using namespace kreda::examples;

@@ -8,7 +8,7 @@
 #include "examples/example.hpp"
 #include "examples/lit_scene.hpp"
 #include "raster/texture.hpp"
-#include "scene/render.hpp"
+#include "scene/render/render.hpp"
 
 using namespace kreda;
 using namespace kreda::examples;

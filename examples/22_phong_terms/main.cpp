@@ -17,10 +17,11 @@ lighting::Material full_material() {
 }
 
 /// The material with every constant but one set to 0.
-lighting::Material only(glm::vec3 lighting::PhongMaterial::* constant) {
+lighting::Material only(glm::vec3 lighting::PhongMaterial::*constant) {
     lighting::Material material = full_material();
     const glm::vec3 kept = material.phong.*constant;
-    material.phong.ambient = material.phong.diffuse = material.phong.specular = material.phong.emission = glm::vec3(0.0f);
+    material.phong.ambient = material.phong.diffuse = material.phong.specular = material.phong.emission =
+        glm::vec3(0.0f);
     material.phong.*constant = kept;
     return material;
 }
@@ -40,12 +41,11 @@ scene::Scene make_scene(glm::ivec2 size, const lighting::Material& material) {
 void draw(const Options& options) {
     using M = lighting::PhongMaterial;
     const glm::ivec2 size = panel_size(options.width, options.height, 3, 2);
-    const std::vector<Image> panels = {
-        captioned(make_scene(size, only(&M::ambient)), "ambient", options.height),
-        captioned(make_scene(size, only(&M::diffuse)), "diffuse", options.height),
-        captioned(make_scene(size, only(&M::specular)), "specular", options.height),
-        captioned(make_scene(size, only(&M::emission)), "emission", options.height),
-        captioned(make_scene(size, full_material()), "the sum", options.height)};
+    const std::vector<Image> panels = {captioned(make_scene(size, only(&M::ambient)), "ambient", options.height),
+                                       captioned(make_scene(size, only(&M::diffuse)), "diffuse", options.height),
+                                       captioned(make_scene(size, only(&M::specular)), "specular", options.height),
+                                       captioned(make_scene(size, only(&M::emission)), "emission", options.height),
+                                       captioned(make_scene(size, full_material()), "the sum", options.height)};
     save(options, "terms", montage(options.width, options.height, 3, panels));
 }
 

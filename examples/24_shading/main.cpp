@@ -27,7 +27,8 @@ void draw(const Options& options) {
     for (const float h : {10.0f, 80.0f}) {
         const std::string exponent = ", h = " + std::to_string(static_cast<int>(h));
         panels.push_back(captioned(make_scene(size, ShadingFrequency::flat, h), "flat" + exponent, options.height));
-        panels.push_back(captioned(make_scene(size, ShadingFrequency::gouraud, h), "Gouraud" + exponent, options.height));
+        panels.push_back(
+            captioned(make_scene(size, ShadingFrequency::gouraud, h), "Gouraud" + exponent, options.height));
         panels.push_back(captioned(make_scene(size, ShadingFrequency::phong, h), "Phong" + exponent, options.height));
     }
     save(options, "shading", montage(options.width, options.height, 3, panels));

@@ -26,7 +26,8 @@ void draw(const Options& options) {
     const glm::ivec2 size = panel_size(options.width, options.height, 3, 2);
     std::vector<Image> panels;
     for (const int h : {1, 4, 16, 64, 256, 1024}) {
-        panels.push_back(captioned(make_scene(size, static_cast<float>(h)), "h = " + std::to_string(h), options.height));
+        panels.push_back(
+            captioned(make_scene(size, static_cast<float>(h)), "h = " + std::to_string(h), options.height));
     }
     save(options, "exponents", montage(options.width, options.height, 3, panels));
 }

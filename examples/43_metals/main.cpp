@@ -12,7 +12,7 @@
 #include "examples/example.hpp"
 #include "examples/lit_scene.hpp"
 #include "lighting/spectrum.hpp"
-#include "scene/render.hpp"
+#include "scene/render/render.hpp"
 
 using namespace kreda;
 using namespace kreda::examples;

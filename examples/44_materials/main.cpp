@@ -6,8 +6,8 @@
 #include "examples/example.hpp"
 #include "examples/lit_scene.hpp"
 #include "examples/view_panels.hpp"
-#include "lighting/maps.hpp"
-#include "scene/render.hpp"
+#include "lighting/batch/maps.hpp"
+#include "scene/render/render.hpp"
 
 using namespace kreda;
 using namespace kreda::examples;

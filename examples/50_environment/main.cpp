@@ -10,9 +10,9 @@
 #include "examples/lit_scene.hpp"
 #include "examples/seams.hpp"
 #include "examples/sphere_views.hpp"
-#include "lighting/environment_image.hpp"
-#include "lighting/irradiance.hpp"
-#include "scene/render.hpp"
+#include "lighting/environment/environment_image.hpp"
+#include "lighting/environment/irradiance.hpp"
+#include "scene/render/render.hpp"
 
 using namespace kreda;
 using namespace kreda::examples;

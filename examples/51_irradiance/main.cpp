@@ -9,7 +9,7 @@
 #include "examples/irradiance_error.hpp"
 #include "examples/sphere_views.hpp"
 #include "examples/stopwatch.hpp"
-#include "lighting/environment_image.hpp"
+#include "lighting/environment/environment_image.hpp"
 #include "raster/film.hpp"
 
 using namespace kreda;

@@ -1,6 +1,6 @@
 // 52_prefilter: the environment as mirrors of each roughness see it; samples that miss a small sun, and their cure.
-// Page docs/52_prefilter.md | After 51_irradiance, 41_microfacets | New: ggx_half_vector(), prefilter(), alpha_of_level()
-// Break at: ggx_half_vector | Look at: u, alpha, cos2 | Try: kAlpha 0.0625, Sky::studio, kFew 8
+// Page docs/52_prefilter.md | After 51_irradiance, 41_microfacets | New: ggx_half_vector(), prefilter(),
+// alpha_of_level() Break at: ggx_half_vector | Look at: u, alpha, cos2 | Try: kAlpha 0.0625, Sky::studio, kFew 8
 #include <cmath>
 #include <cstdio>
 #include <string>
@@ -11,9 +11,9 @@
 #include "examples/lit_scene.hpp"
 #include "examples/prefilter_levels.hpp"
 #include "examples/sphere_views.hpp"
-#include "lighting/environment_image.hpp"
+#include "lighting/environment/environment_image.hpp"
 #include "lighting/importance.hpp"
-#include "scene/render.hpp"
+#include "scene/render/render.hpp"
 
 using namespace kreda;
 using namespace kreda::examples;

@@ -5,7 +5,7 @@
 
 #include "examples/example.hpp"
 #include "examples/table_scene.hpp"
-#include "scene/light_depth.hpp"
+#include "scene/render/light_depth.hpp"
 
 using namespace kreda;
 using namespace kreda::examples;

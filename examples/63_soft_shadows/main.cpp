@@ -5,7 +5,7 @@
 
 #include "examples/example.hpp"
 #include "examples/table_scene.hpp"
-#include "scene/render.hpp"
+#include "scene/render/render.hpp"
 
 using namespace kreda;
 using namespace kreda::examples;

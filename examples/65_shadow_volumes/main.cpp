@@ -3,8 +3,8 @@
 // Break at: find_volume | Look at: shape.caps, shape.sides | Try: a lamp inside the ball, a teapot (it is open)
 #include "examples/example.hpp"
 #include "examples/table_scene.hpp"
-#include "scene/frame_shadows.hpp"
-#include "scene/render.hpp"
+#include "scene/render/frame_shadows.hpp"
+#include "scene/render/render.hpp"
 #include "shadows/light_ray.hpp"
 #include "shadows/silhouette.hpp"
 #include "shadows/volume.hpp"

@@ -6,8 +6,8 @@
 #include "examples/example.hpp"
 #include "examples/table_scene.hpp"
 #include "raster/visibility.hpp"
-#include "scene/frame_shadows.hpp"
-#include "scene/render.hpp"
+#include "scene/render/frame_shadows.hpp"
+#include "scene/render/render.hpp"
 #include "shadows/bvh.hpp"
 #include "shadows/irregular.hpp"
 

@@ -7,7 +7,7 @@
 #include "examples/chart.hpp"
 #include "examples/example.hpp"
 #include "examples/lit_scene.hpp"
-#include "scene/render.hpp"
+#include "scene/render/render.hpp"
 
 using namespace kreda;
 using namespace kreda::examples;

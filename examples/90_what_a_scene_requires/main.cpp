@@ -1,13 +1,14 @@
 // 90_what_a_scene_requires: the plan. Five scenes, and which passes each of them needs, with what they cost.
 // Page docs/90_what_a_scene_requires.md | After 24_shading, 30_fog | New: make_plan(), PlannedPass, PassCost
-// Break at: estimate_costs | Look at: plan.passes, plan.frequency, plan.vertex | Try: switch a lamp off, set fog.density to 0
+// Break at: estimate_costs | Look at: plan.passes, plan.frequency, plan.vertex | Try: switch a lamp off, set
+// fog.density to 0
 #include <cmath>
 #include <cstdio>
 
 #include "examples/example.hpp"
 #include "examples/lit_scene.hpp"
-#include "scene/plan_cost.hpp"
-#include "scene/render.hpp"
+#include "scene/plan/plan_cost.hpp"
+#include "scene/render/render.hpp"
 
 using namespace kreda;
 using namespace kreda::examples;

@@ -12,7 +12,7 @@
 #include "examples/example.hpp"
 #include "examples/fresnel_methods.hpp"
 #include "examples/fresnel_views.hpp"
-#include "lighting/microfacet_passes.hpp"
+#include "lighting/batch/microfacet_passes.hpp"
 
 using namespace kreda;
 using namespace kreda::examples;
@@ -85,8 +85,7 @@ std::vector<TimedMethod> timed_methods() {
 }
 
 void print_speed(const std::vector<TimedMethod>& methods) {
-    std::printf(
-        "Time for one point in a batch loop, relative to the exact dielectric; error on platinum in percent\n");
+    std::printf("Time for one point in a batch loop, relative to the exact dielectric; error on platinum in percent\n");
     for (const TimedMethod& m : methods) {
         std::printf("%-18s %6.2f ns %6.0f %%", m.name.c_str(), m.nanoseconds,
                     100.0 * m.nanoseconds / methods[0].nanoseconds);

@@ -11,7 +11,7 @@
 #include "examples/chart.hpp"
 #include "examples/example.hpp"
 #include "examples/table_scene.hpp"
-#include "scene/render.hpp"
+#include "scene/render/render.hpp"
 #include "shadows/compare.hpp"
 
 using namespace kreda;

@@ -1,6 +1,6 @@
-// 94_environment_samples: how many samples one percent costs, for every roughness and sky, and what the bake then takes.
-// Page docs/94_environment_samples.md | After 52_prefilter | New: samples_needed(), what a rule of thumb is worth
-// Break at: lobe_average | Look at: n, alpha, sum, total | Try: kWanted 0.3, kRounds 9
+// 94_environment_samples: how many samples one percent costs, for every roughness and sky, and what the bake then
+// takes. Page docs/94_environment_samples.md | After 52_prefilter | New: samples_needed(), what a rule of thumb is
+// worth Break at: lobe_average | Look at: n, alpha, sum, total | Try: kWanted 0.3, kRounds 9
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
@@ -11,7 +11,7 @@
 #include "examples/irradiance_error.hpp"
 #include "examples/prefilter_levels.hpp"
 #include "examples/stopwatch.hpp"
-#include "lighting/environment_image.hpp"
+#include "lighting/environment/environment_image.hpp"
 
 using namespace kreda;
 using namespace kreda::examples;

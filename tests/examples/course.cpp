@@ -10,7 +10,7 @@
 
 #include "examples/draw.hpp"
 #include "raster/film.hpp"
-#include "scene/image_file.hpp"
+#include "scene/files/image_file.hpp"
 
 namespace kreda::tests {
 

@@ -8,7 +8,7 @@
 
 #include <glm/geometric.hpp>
 
-#include "lighting/sky.hpp"
+#include "lighting/environment/sky.hpp"
 
 namespace kreda::tests {
 

@@ -10,7 +10,7 @@
 #include <string>
 
 #include "golden.hpp"
-#include "scene/image_file.hpp"
+#include "scene/files/image_file.hpp"
 
 namespace fs = std::filesystem;
 using namespace kreda;

@@ -8,7 +8,7 @@
 #include "raster/mesh_checks.hpp"
 #include "raster/normals.hpp"
 #include "raster/shapes.hpp"
-#include "scene/mesh_file.hpp"
+#include "scene/files/mesh_file.hpp"
 
 using namespace kreda;
 using namespace kreda::tests;

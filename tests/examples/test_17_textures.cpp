@@ -9,7 +9,7 @@
 #include "raster/camera.hpp"
 #include "raster/shapes.hpp"
 #include "raster/texture.hpp"
-#include "scene/render.hpp"
+#include "scene/render/render.hpp"
 
 using namespace kreda;
 using namespace kreda::tests;

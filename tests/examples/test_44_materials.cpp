@@ -9,9 +9,9 @@
 #include "examples/tile_maps.hpp"
 #include "golden.hpp"
 #include "lighting/normal_map.hpp"
-#include "scene/image_file.hpp"
-#include "scene/read_scene.hpp"
-#include "scene/render.hpp"
+#include "scene/files/image_file.hpp"
+#include "scene/files/read_scene.hpp"
+#include "scene/render/render.hpp"
 
 using namespace kreda;
 using namespace kreda::tests;

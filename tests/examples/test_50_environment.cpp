@@ -7,9 +7,9 @@
 #include <glm/geometric.hpp>
 
 #include "course.hpp"
-#include "lighting/cube_map.hpp"
-#include "lighting/environment_image.hpp"
-#include "scene/draw.hpp"
+#include "lighting/environment/cube_map.hpp"
+#include "lighting/environment/environment_image.hpp"
+#include "tools/draw/draw.hpp"
 
 using namespace kreda;
 using namespace kreda::tests;
@@ -34,18 +34,12 @@ struct FacePlace {
 
 FacePlace place_on_face(int face, const dvec3& r) {
     switch (face) {
-        case 0:
-            return {-r.z, -r.y, r.x};
-        case 1:
-            return {r.z, -r.y, -r.x};
-        case 2:
-            return {r.x, r.z, r.y};
-        case 3:
-            return {r.x, -r.z, -r.y};
-        case 4:
-            return {r.x, -r.y, r.z};
-        default:
-            return {-r.x, -r.y, -r.z};
+        case 0: return {-r.z, -r.y, r.x};
+        case 1: return {r.z, -r.y, -r.x};
+        case 2: return {r.x, r.z, r.y};
+        case 3: return {r.x, -r.z, -r.y};
+        case 4: return {r.x, -r.y, r.z};
+        default: return {-r.x, -r.y, -r.z};
     }
 }
 
@@ -118,10 +112,10 @@ TEST_CASE("50_environment: with the neighbours' texels there is no step and with
 
 TEST_CASE("50_environment: one texel that is no number takes the light from everywhere until it is repaired") {
     const auto panel = [](int i) { return linear_panel("50_environment/repairs.png", 2, 2, i); };
-    CHECK(count_color(panel(0), scene::kRed) == 2 * 16);  // two texels of 4 x 4 pixels
-    CHECK(count_color(panel(0), scene::kBlue) == 16);
-    CHECK(count_color(panel(1), scene::kRed) == 0);
-    CHECK(count_color(panel(1), scene::kBlue) == 0);
-    CHECK(count_color(panel(2), scene::kRed) > 128 * 64 * 7 / 10);  // all but the caption
-    CHECK(count_color(panel(3), scene::kRed) == 0);
+    CHECK(count_color(panel(0), tools::kRed) == 2 * 16);  // two texels of 4 x 4 pixels
+    CHECK(count_color(panel(0), tools::kBlue) == 16);
+    CHECK(count_color(panel(1), tools::kRed) == 0);
+    CHECK(count_color(panel(1), tools::kBlue) == 0);
+    CHECK(count_color(panel(2), tools::kRed) > 128 * 64 * 7 / 10);  // all but the caption
+    CHECK(count_color(panel(3), tools::kRed) == 0);
 }

@@ -9,9 +9,9 @@
 
 #include "course.hpp"
 #include "environment_rays.hpp"
-#include "lighting/environment_image.hpp"
-#include "lighting/irradiance.hpp"
-#include "scene/image_file.hpp"
+#include "lighting/environment/environment_image.hpp"
+#include "lighting/environment/irradiance.hpp"
+#include "scene/files/image_file.hpp"
 #include "tests/scene/temp_folder.hpp"
 
 using namespace kreda;

@@ -15,11 +15,11 @@
 #include "course.hpp"
 #include "examples/brdf_quadrature.hpp"
 #include "examples/split_sum_error.hpp"
-#include "lighting/environment_image.hpp"
-#include "lighting/sky.hpp"
-#include "scene/image_file.hpp"
-#include "scene/read_scene.hpp"
-#include "scene/render.hpp"
+#include "lighting/environment/environment_image.hpp"
+#include "lighting/environment/sky.hpp"
+#include "scene/files/image_file.hpp"
+#include "scene/files/read_scene.hpp"
+#include "scene/render/render.hpp"
 #include "tests/scene/temp_folder.hpp"
 
 using namespace kreda;

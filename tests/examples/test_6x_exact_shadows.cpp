@@ -11,7 +11,7 @@
 #include "examples/table_scene.hpp"
 #include "raster/film.hpp"
 #include "raster/shapes.hpp"
-#include "scene/render.hpp"
+#include "scene/render/render.hpp"
 #include "shadows/compare.hpp"
 #include "shadows/light_ray.hpp"
 #include "shadows/silhouette.hpp"

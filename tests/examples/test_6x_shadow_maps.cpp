@@ -7,8 +7,8 @@
 
 #include "course.hpp"
 #include "examples/table_scene.hpp"
-#include "scene/read_scene.hpp"
-#include "scene/render.hpp"
+#include "scene/files/read_scene.hpp"
+#include "scene/render/render.hpp"
 #include "shadows/soft_filter.hpp"
 
 using namespace kreda;

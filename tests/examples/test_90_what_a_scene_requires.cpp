@@ -6,8 +6,8 @@
 
 #include "course.hpp"
 #include "examples/lit_scene.hpp"
-#include "scene/plan_cost.hpp"
-#include "scene/render.hpp"
+#include "scene/plan/plan_cost.hpp"
+#include "scene/render/render.hpp"
 
 using namespace kreda;
 using namespace kreda::tests;
@@ -76,7 +76,8 @@ TEST_CASE("90_what_a_scene_requires: a pass that was left out would not have cha
 TEST_CASE("90_what_a_scene_requires: light is computed in one place only") {
     using lighting::ReflectionModel;
     using scene::ShadingFrequency;
-    for (const ShadingFrequency frequency : {ShadingFrequency::flat, ShadingFrequency::gouraud, ShadingFrequency::phong}) {
+    for (const ShadingFrequency frequency :
+         {ShadingFrequency::flat, ShadingFrequency::gouraud, ShadingFrequency::phong}) {
         const scene::RenderPlan plan = make_plan(ball(ReflectionModel::phong, frequency));
         CHECK(holds(plan, "light triangles") == (frequency == ShadingFrequency::flat));
         CHECK(holds(plan, "light vertices") == (frequency == ShadingFrequency::gouraud));
@@ -85,8 +86,8 @@ TEST_CASE("90_what_a_scene_requires: light is computed in one place only") {
 }
 
 TEST_CASE("90_what_a_scene_requires: the numbers of the page") {
-    // As the function is written: n.l 6, m_D 3, r 5 + 1 + 3 + 3, v.r 6, the power 60, facing the light 6, m_S 1 + 3, and s
-    // times both, added to the sums: 12.
+    // As the function is written: n.l 6, m_D 3, r 5 + 1 + 3 + 3, v.r 6, the power 60, facing the light 6, m_S 1 + 3,
+    // and s times both, added to the sums: 12.
     const double by_hand = 6 + 3 + 12 + 6 + 60 + 6 + 4 + 12;
     lighting::Material phong;
     phong.model = lighting::ReflectionModel::phong;

@@ -5,8 +5,8 @@
 
 #include "course.hpp"
 #include "environment_rays.hpp"
-#include "lighting/environment_image.hpp"
-#include "lighting/prefilter.hpp"
+#include "lighting/environment/environment_image.hpp"
+#include "lighting/environment/prefilter.hpp"
 
 using namespace kreda;
 using namespace kreda::tests;

@@ -99,5 +99,6 @@ TEST_CASE("95_depth_precision: carpets vanish where a step is larger than their 
     for (int y = 1; y < 4; ++y) {  // far rows: z > 900, where 24 bits step by 4.8 and the gap is 0.9
         CHECK(carpet_in_row(bits24, y) < carpet_in_row(reversed, y) + 1e-9);
     }
-    CHECK(carpet_in_row(bits24, 2) + carpet_in_row(bits24, 3) < carpet_in_row(reversed, 2) + carpet_in_row(reversed, 3));
+    CHECK(carpet_in_row(bits24, 2) + carpet_in_row(bits24, 3) <
+          carpet_in_row(reversed, 2) + carpet_in_row(reversed, 3));
 }

@@ -1,7 +1,7 @@
 // A cube map of the same light from everywhere, with all its mip levels.
 #pragma once
 
-#include "lighting/cube_map.hpp"
+#include "lighting/environment/cube_map.hpp"
 
 namespace kreda::tests {
 

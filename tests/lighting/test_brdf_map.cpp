@@ -6,7 +6,7 @@
 
 #include <doctest/doctest.h>
 
-#include "lighting/brdf_map.hpp"
+#include "lighting/environment/brdf_map.hpp"
 
 using namespace kreda::lighting;
 

@@ -22,10 +22,15 @@ constexpr std::array kDistributions = {Distribution::ggx, Distribution::beckmann
 constexpr std::array kGeometries = {Geometry::schlick_ggx, Geometry::smith, Geometry::smith_correlated,
                                     Geometry::implicit, Geometry::cook_torrance};
 /// All but corrected_schlick_as_printed, which falls below 0.
-constexpr std::array kFresnelMethods = {
-    FresnelMethod::schlick,           FresnelMethod::exact, FresnelMethod::schlick_ior, FresnelMethod::rescaled_schlick,
-    FresnelMethod::corrected_schlick, FresnelMethod::f82,   FresnelMethod::table,       FresnelMethod::nvidia,
-    FresnelMethod::none};
+constexpr std::array kFresnelMethods = {FresnelMethod::schlick,
+                                        FresnelMethod::exact,
+                                        FresnelMethod::schlick_ior,
+                                        FresnelMethod::rescaled_schlick,
+                                        FresnelMethod::corrected_schlick,
+                                        FresnelMethod::f82,
+                                        FresnelMethod::table,
+                                        FresnelMethod::nvidia,
+                                        FresnelMethod::none};
 
 const vec3 kN(0.0f, 0.0f, 1.0f);
 

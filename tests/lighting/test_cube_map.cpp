@@ -8,7 +8,7 @@
 #include <doctest/doctest.h>
 #include <glm/geometric.hpp>
 
-#include "lighting/cube_map.hpp"
+#include "lighting/environment/cube_map.hpp"
 
 using namespace kreda::lighting;
 using glm::vec3;

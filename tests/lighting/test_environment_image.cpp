@@ -8,7 +8,7 @@
 #include <doctest/doctest.h>
 #include <glm/geometric.hpp>
 
-#include "lighting/environment_image.hpp"
+#include "lighting/environment/environment_image.hpp"
 
 using namespace kreda::lighting;
 namespace raster = kreda::raster;

@@ -63,12 +63,14 @@ TEST_CASE("Turning the camera changes the planar distance and not the radial one
 }
 
 TEST_CASE("The largest difference of planar and radial fog is the closed form's") {
-    // At a picture's corner radial = k planar. exp: k^(-1/(k-1)) (1 - 1/k) is the largest gap; k = 1.54494 (60 degrees, 16:9) gives 0.15877.
+    // At a picture's corner radial = k planar. exp: k^(-1/(k-1)) (1 - 1/k) is the largest gap; k = 1.54494 (60 degrees,
+    // 16:9) gives 0.15877.
     const double k = 1.54494;
     double largest = 0.0;
     for (int i = 1; i < 4000; ++i) {
         const double z = i * 0.002;
-        largest = std::fmax(largest, double{fog_exp(static_cast<float>(z), 1.0f)} - fog_exp(static_cast<float>(k * z), 1.0f));
+        largest =
+            std::fmax(largest, double{fog_exp(static_cast<float>(z), 1.0f)} - fog_exp(static_cast<float>(k * z), 1.0f));
     }
     CHECK(largest == doctest::Approx(0.15877).epsilon(1e-4));
 }

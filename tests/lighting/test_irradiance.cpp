@@ -6,12 +6,12 @@
 #include <doctest/doctest.h>
 #include <glm/geometric.hpp>
 
-#include "lighting/irradiance.hpp"
+#include "lighting/environment/irradiance.hpp"
 #include "tests/lighting/even_light.hpp"
 
 using namespace kreda::lighting;
-using kreda::tests::even_light;
 using glm::vec3;
+using kreda::tests::even_light;
 using std::numbers::pi;
 
 namespace {

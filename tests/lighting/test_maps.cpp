@@ -4,7 +4,7 @@
 #include <memory>
 #include <random>
 
-#include "lighting/passes.hpp"
+#include "lighting/batch/passes.hpp"
 #include "raster/texture.hpp"
 
 using namespace kreda;

@@ -5,12 +5,12 @@
 #include <doctest/doctest.h>
 #include <glm/geometric.hpp>
 
-#include "lighting/prefilter.hpp"
+#include "lighting/environment/prefilter.hpp"
 #include "tests/lighting/even_light.hpp"
 
 using namespace kreda::lighting;
-using kreda::tests::even_light;
 using glm::vec3;
+using kreda::tests::even_light;
 using std::numbers::pi;
 
 namespace {

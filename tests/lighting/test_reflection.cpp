@@ -4,7 +4,7 @@
 
 #include <doctest/doctest.h>
 
-#include "lighting/passes.hpp"
+#include "lighting/batch/passes.hpp"
 #include "lighting/reflection.hpp"
 #include "lighting/ward.hpp"
 
@@ -21,7 +21,8 @@ glm::vec3 direction(double theta_deg, double phi_deg = 0.0) {
 const glm::vec3 kNormal{0, 0, 1};
 
 PhongMaterial material(float shininess) {
-    return {.ambient = glm::vec3(0.0f), .diffuse = {0.8f, 0.4f, 0.2f}, .specular = glm::vec3(0.5f), .shininess = shininess};
+    return {
+        .ambient = glm::vec3(0.0f), .diffuse = {0.8f, 0.4f, 0.2f}, .specular = glm::vec3(0.5f), .shininess = shininess};
 }
 
 }  // namespace
@@ -68,13 +69,15 @@ TEST_CASE("The matched exponent gives Blinn's highlight Phong's width near the n
     for (const float h : {10.0f, 100.0f}) {
         const double phong_value = std::pow(std::cos(rho), h);
         const double blinn_value = std::pow(std::cos(0.5 * rho), blinn_exponent_matching_phong(h));
-        CHECK(blinn_value == doctest::Approx(phong_value).epsilon(0.02));  // ratio cos^4(rho/2)/cos(rho) = 1 + rho^4/8 to the h
+        CHECK(blinn_value ==
+              doctest::Approx(phong_value).epsilon(0.02));  // ratio cos^4(rho/2)/cos(rho) = 1 + rho^4/8 to the h
     }
 }
 
 TEST_CASE("Phong at 10 degrees from the mirror direction with exponent 32 by hand") {
     const glm::vec3 l = direction(20), v = direction(30, 180);
-    CHECK(phong(kNormal, l, v, material(32)).specular.x == doctest::Approx(0.5 * 0.6129).epsilon(1e-3));  // cos(10)^32 = 0.6129
+    CHECK(phong(kNormal, l, v, material(32)).specular.x ==
+          doctest::Approx(0.5 * 0.6129).epsilon(1e-3));  // cos(10)^32 = 0.6129
 }
 
 TEST_CASE("A surface that faces away from the light shows no highlight") {
@@ -108,8 +111,7 @@ ReflectedTerms reflect_at(const Material& m, const MaterialSetup& setup, const g
         case ReflectionModel::phong: return phong(n, l, v, m.phong);
         case ReflectionModel::blinn_phong: return blinn_phong(n, l, v, m.phong);
         case ReflectionModel::ward:
-            return m.phong.ward_alpha ? ward_brushed(n, t, l, v, m.phong, *m.phong.ward_alpha)
-                                      : ward(n, l, v, m.phong);
+            return m.phong.ward_alpha ? ward_brushed(n, t, l, v, m.phong, *m.phong.ward_alpha) : ward(n, l, v, m.phong);
         case ReflectionModel::heidrich_seidel: return heidrich_seidel(n, t, l, v, m.phong);
         case ReflectionModel::cook_torrance: return cook_torrance(n, l, v, setup.cook_torrance);
     }
@@ -176,8 +178,8 @@ TEST_CASE("The faintest highlight that pow can tell from 0 is still the formula'
             for (int i = 0; i < fragments.count; ++i) {
                 const double turn = 0.4 * i;
                 fragments.position.set(i, glm::vec3(0.0f));
-                fragments.normal.set(i, glm::vec3(std::sin(tilt) * std::cos(turn), std::sin(tilt) * std::sin(turn),
-                                                  std::cos(tilt)));
+                fragments.normal.set(
+                    i, glm::vec3(std::sin(tilt) * std::cos(turn), std::sin(tilt) * std::sin(turn), std::cos(tilt)));
             }
             start_lighting(fragments, setup, frame, channels);
             CHECK(sample_light(fragments, light, channels));

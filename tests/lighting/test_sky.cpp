@@ -5,8 +5,8 @@
 #include <doctest/doctest.h>
 #include <glm/geometric.hpp>
 
+#include "lighting/environment/sky.hpp"
 #include "lighting/importance.hpp"
-#include "lighting/sky.hpp"
 
 using namespace kreda::lighting;
 using glm::vec3;

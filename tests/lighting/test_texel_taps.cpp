@@ -4,7 +4,7 @@
 
 #include <doctest/doctest.h>
 
-#include "lighting/texel_taps.hpp"
+#include "lighting/environment/texel_taps.hpp"
 
 using namespace kreda;
 using namespace kreda::lighting;

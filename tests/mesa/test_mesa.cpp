@@ -12,8 +12,8 @@
 #include <glm/geometric.hpp>
 
 #include "raster/shapes.hpp"
-#include "scene/mesh_file.hpp"
-#include "scene/render.hpp"
+#include "scene/files/mesh_file.hpp"
+#include "scene/render/render.hpp"
 
 using namespace kreda;
 
@@ -106,11 +106,12 @@ std::string triple(const glm::vec3& v) {
 raster::Image render_with_mesa(const Subject& subject, const std::string& arguments) {
     const View view = view_of(subject.mesh);
     const std::string out = (work_folder() / "mesa.pfm").string();
-    const std::string command = std::string(KREDA_MESA_PEER) + " --mesh '" + subject.file + "' --size 640x480 --eye " +
-                                triple(view.eye) + " --target " + triple(view.target) +
-                                " --fovy 45 --near 0.1 --far 1000 --cull back --light-dir 0.4,0.8,0.5 --ka 0.05,0.05,0.05"
-                                " --kd 0.7,0.2,0.2 --ks 0.5,0.5,0.5 --shininess 32 --out '" + out + "' " + arguments +
-                                " > /dev/null";
+    const std::string command =
+        std::string(KREDA_MESA_PEER) + " --mesh '" + subject.file + "' --size 640x480 --eye " + triple(view.eye) +
+        " --target " + triple(view.target) +
+        " --fovy 45 --near 0.1 --far 1000 --cull back --light-dir 0.4,0.8,0.5 --ka 0.05,0.05,0.05"
+        " --kd 0.7,0.2,0.2 --ks 0.5,0.5,0.5 --shininess 32 --out '" +
+        out + "' " + arguments + " > /dev/null";
     REQUIRE(std::system(command.c_str()) == 0);
     return read_pfm(out);
 }
@@ -157,7 +158,9 @@ bool inside(const raster::Image& a, const raster::Image& b, int x, int y) {
     return true;
 }
 
-float largest_component(const glm::vec3& v) { return std::max({std::abs(v.x), std::abs(v.y), std::abs(v.z)}); }
+float largest_component(const glm::vec3& v) {
+    return std::max({std::abs(v.x), std::abs(v.y), std::abs(v.z)});
+}
 
 /// The bound agreed on; float rounding alone is about 1e-5.
 constexpr float kBound = 2e-3f;
@@ -168,8 +171,8 @@ struct Difference {
     int beyond = 0;  ///< pixels beyond kBound
 };
 
-/// Is there an edge of a face, or of what lies behind, within a pixel? There the peer's picture is no longer straight from
-/// one neighbour to the other: its second difference jumps. Smooth gradients, however steep, have a small one.
+/// Is there an edge of a face, or of what lies behind, within a pixel? There the peer's picture is no longer straight
+/// from one neighbour to the other: its second difference jumps. Smooth gradients, however steep, have a small one.
 bool at_edge(const raster::Image& image, int x, int y, float scale) {
     constexpr float kJump = 4e-3f;
     for (const auto& [dx, dy] : {std::pair{1, 0}, {0, 1}, {1, 1}, {1, -1}}) {
@@ -179,9 +182,9 @@ bool at_edge(const raster::Image& image, int x, int y, float scale) {
     return false;
 }
 
-/// How far is our pixel from the peer's, or at an edge from the nearest of its 3 x 3: where an edge runs through the centre
-/// of a pixel the two may choose different faces (Mesa's fill rule is ours upside down, and it interpolates from positions before
-/// the snap).
+/// How far is our pixel from the peer's, or at an edge from the nearest of its 3 x 3: where an edge runs through the
+/// centre of a pixel the two may choose different faces (Mesa's fill rule is ours upside down, and it interpolates from
+/// positions before the snap).
 float distance_to_peer(const raster::Image& ours, const raster::Image& mesa, int x, int y, float scale) {
     const int reach = at_edge(mesa, x, y, scale) ? 1 : 0;
     float least = 1e9f;
@@ -193,8 +196,8 @@ float distance_to_peer(const raster::Image& ours, const raster::Image& mesa, int
     return least;
 }
 
-/// Largest difference over the inner pixels. Relative: to the pixel's own value, and to 5 % of white where it is darker; next to the
-/// shadow side the value goes through 0 and a shift of 1/512 pixel is any share of it.
+/// Largest difference over the inner pixels. Relative: to the pixel's own value, and to 5 % of white where it is
+/// darker; next to the shadow side the value goes through 0 and a shift of 1/512 pixel is any share of it.
 Difference compare(const raster::Image& ours, const raster::Image& mesa, const raster::Image& our_mask,
                    const raster::Image& mesa_mask, bool relative) {
     Difference difference;
@@ -213,15 +216,16 @@ Difference compare(const raster::Image& ours, const raster::Image& mesa, const r
 
 void check_colors(const Subject& subject, const scene::Scene& s, const std::string& arguments, bool relative = false) {
     const raster::Image mesa_mask = render_with_mesa(subject, "--mode coverage");
-    const Difference d = compare(scene::render(s), render_with_mesa(subject, arguments), coverage_of(subject), mesa_mask,
-                                 relative);
+    const Difference d =
+        compare(scene::render(s), render_with_mesa(subject, arguments), coverage_of(subject), mesa_mask, relative);
     std::printf("%-11s %-58s largest difference %.1e, %d of %d pixels beyond 2e-3\n", subject.name.c_str(),
                 arguments.c_str(), static_cast<double>(d.largest), d.beyond, d.compared);
     CAPTURE(subject.name);
     CAPTURE(arguments);
     CHECK(d.compared > 5000);
-    // Nearly edge-on triangles, narrower than a pixel, change over 1/512 pixel (our snap; Mesa interpolates from positions before
-    // it) by more than the bound: measured at most 29 of 26,000 pixels, on the teapot with Cook-Torrance.
+    // Nearly edge-on triangles, narrower than a pixel, change over 1/512 pixel (our snap; Mesa interpolates from
+    // positions before it) by more than the bound: measured at most 29 of 26,000 pixels, on the teapot with
+    // Cook-Torrance.
     CHECK(d.beyond <= d.compared / 500);
     CHECK(d.largest <= 0.05f);
 }
@@ -238,8 +242,8 @@ shadows::LightView box_around(const glm::vec3& target, const glm::vec3& to_light
 }
 
 std::vector<Subject> shapes() {
-    return {built_in("sphere", 64),     built_in("torus", 64), built_in("terrain", 64), built_in("cube", 4),
-            built_in("torus_knot", 128), built_in("teapot", 8)};
+    return {built_in("sphere", 64), built_in("torus", 64),       built_in("terrain", 64),
+            built_in("cube", 4),    built_in("torus_knot", 128), built_in("teapot", 8)};
 }
 
 }  // namespace
@@ -292,13 +296,15 @@ TEST_CASE("Every fog agrees with Mesa") {
             s.fog.mode = std::string(mode) == "linear" ? lighting::FogMode::linear
                          : std::string(mode) == "exp"  ? lighting::FogMode::exp
                                                        : lighting::FogMode::exp2;
-            s.fog.distance = std::string(distance) == "planar" ? lighting::FogDistance::planar : lighting::FogDistance::radial;
+            s.fog.distance =
+                std::string(distance) == "planar" ? lighting::FogDistance::planar : lighting::FogDistance::radial;
             s.fog.start = 3.0f;
             s.fog.end = 6.0f;
             s.fog.density = 0.2f;
             s.fog.color = {0.5f, 0.6f, 0.7f};
-            check_colors(subject, s, std::string("--mode phong --fog ") + mode + " --fog-coord " + distance +
-                                         " --fog-start 3 --fog-end 6 --fog-density 0.2 --fog-color 0.5,0.6,0.7");
+            check_colors(subject, s,
+                         std::string("--mode phong --fog ") + mode + " --fog-coord " + distance +
+                             " --fog-start 3 --fog-end 6 --fog-density 0.2 --fog-color 0.5,0.6,0.7");
         }
     }
 }
@@ -312,8 +318,10 @@ TEST_CASE("Cook-Torrance agrees with Mesa to 2 in 1000 of the value") {
             m.albedo = {0.7f, 0.2f, 0.2f};
             m.metallic = 0.2f;
             m.roughness = roughness;
-            check_colors(subject, s, "--mode cooktorrance --albedo 0.7,0.2,0.2 --metallic 0.2 --roughness " +
-                                         std::to_string(roughness), true);
+            check_colors(
+                subject, s,
+                "--mode cooktorrance --albedo 0.7,0.2,0.2 --metallic 0.2 --roughness " + std::to_string(roughness),
+                true);
         }
     }
 }
@@ -351,7 +359,7 @@ TEST_CASE("The split sum of an environment agrees with Mesa") {
         // The programs bake their maps on other grids (cube against equirectangular, levels by alpha against levels by
         // roughness), so they agree to the error of either map, not to rounding.
         CHECK(sum / compared < 2e-3);  // measured 1.2e-3
-        CHECK(worst < 0.05);          // measured 3.6e-2, beside the sun
+        CHECK(worst < 0.05);           // measured 3.6e-2, beside the sun
     }
 }
 
@@ -391,8 +399,8 @@ TEST_CASE("A shadow map with three by three taps agrees with Mesa") {
                     subject.name.c_str(), sum / compared, beyond, compared, dark);
         CAPTURE(subject.name);
         CHECK(dark > compared / 20);
-        // The texels are the same to the snap of 1/256. At a caster's outline the two fill rules choose differently, and one
-        // tap of nine is a ninth of the light: measured 25 and 28 of some 30,000 pixels.
+        // The texels are the same to the snap of 1/256. At a caster's outline the two fill rules choose differently,
+        // and one tap of nine is a ninth of the light: measured 25 and 28 of some 30,000 pixels.
         CHECK(beyond <= compared / 500);
         CHECK(sum / compared < 1e-4);  // measured 3e-5
     }

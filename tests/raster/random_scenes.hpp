@@ -183,10 +183,8 @@ inline glm::vec3 random_pixel_point(Random& random, const Viewport& viewport) {
     const float y = static_cast<float>(random.integer(-margin, viewport.height + margin));
     const float z = random.real(-0.1f, 1.1f);
     switch (random.integer(0, 2)) {
-        case 0:
-            return {x + 0.5f, y + 0.5f, z};
-        case 1:
-            return {x, y, z};
+        case 0: return {x + 0.5f, y + 0.5f, z};
+        case 1: return {x, y, z};
         default:
             return {x + static_cast<float>(random.integer(0, 255)) / 256.0f,
                     y + static_cast<float>(random.integer(0, 255)) / 256.0f, z};
@@ -287,33 +285,15 @@ inline Drawing random_scene(std::uint32_t seed) {
     drawing.cull = modes[random.integer(0, 3)];
     drawing.clip_from_world = clip_from_pixels(drawing.viewport);
     switch (seed % kSceneKinds) {
-        case 0:
-            add_soup(random, drawing, 4.0f);
-            break;
-        case 1:
-            add_fan(random, drawing);
-            break;
-        case 2:
-            add_slivers(random, drawing);
-            break;
-        case 3:
-            add_shared_grid(random, drawing);
-            break;
-        case 4:
-            add_sub_pixel(random, drawing);
-            break;
-        case 5:
-            add_huge(random, drawing);
-            break;
-        case 6:
-            add_coplanar(random, drawing);
-            break;
-        case 7:
-            add_rectangles(random, drawing);
-            break;
-        default:
-            add_soup(random, drawing, 30.0f);
-            break;
+        case 0: add_soup(random, drawing, 4.0f); break;
+        case 1: add_fan(random, drawing); break;
+        case 2: add_slivers(random, drawing); break;
+        case 3: add_shared_grid(random, drawing); break;
+        case 4: add_sub_pixel(random, drawing); break;
+        case 5: add_huge(random, drawing); break;
+        case 6: add_coplanar(random, drawing); break;
+        case 7: add_rectangles(random, drawing); break;
+        default: add_soup(random, drawing, 30.0f); break;
     }
     finish(drawing.mesh);
     return drawing;

@@ -79,26 +79,13 @@ glm::vec4 point(Random& random, int outside_plane) {
                 random.real(-0.9f, 0.9f) * w, w);
     const float beyond = random.real(1.1f, 5.0f) * w;
     switch (outside_plane) {
-        case 0:
-            p.z = -beyond;
-            break;
-        case 1:
-            p.z = beyond;
-            break;
-        case 2:
-            p.x = -kGuardX * beyond;
-            break;
-        case 3:
-            p.x = kGuardX * beyond;
-            break;
-        case 4:
-            p.y = -kGuardY * beyond;
-            break;
-        case 5:
-            p.y = kGuardY * beyond;
-            break;
-        default:
-            break;
+        case 0: p.z = -beyond; break;
+        case 1: p.z = beyond; break;
+        case 2: p.x = -kGuardX * beyond; break;
+        case 3: p.x = kGuardX * beyond; break;
+        case 4: p.y = -kGuardY * beyond; break;
+        case 5: p.y = kGuardY * beyond; break;
+        default: break;
     }
     return p;
 }

@@ -303,21 +303,20 @@ Errors step_errors(const Viewport& viewport, const Corner (&corner)[3]) {
     wanted.uv = wanted.uv_steps = true;
     Errors errors;
     const ScreenVertex* s = drawn.streams.screen.data();
-    for_each_fragment(drawing, drawn, wanted, AttributeInterpolation::perspective,
-                      [&](int x, int y, const Fragments& f, int i) {
-                          const ExactUv here = exact_uv(s, corner, x, y, true);
-                          const ExactUv right = exact_uv(s, corner, x + 1, y, true);
-                          const ExactUv below = exact_uv(s, corner, x, y + 1, true);
-                          const long double exact[4] = {right.u - here.u, right.v - here.v, below.u - here.u,
-                                                        below.v - here.v};
-                          const float got[4] = {f.du_dx.at(i), f.dv_dx.at(i), f.du_dy.at(i), f.dv_dy.at(i)};
-                          for (int k = 0; k < 4; ++k) {
-                              const double scale = std::max(1e-3, static_cast<double>(std::abs(exact[k])));
-                              const double error = static_cast<double>(std::abs(got[k] - exact[k])) / scale;
-                              errors.worst = std::max(errors.worst, error);
-                          }
-                          ++errors.samples;
-                      });
+    for_each_fragment(
+        drawing, drawn, wanted, AttributeInterpolation::perspective, [&](int x, int y, const Fragments& f, int i) {
+            const ExactUv here = exact_uv(s, corner, x, y, true);
+            const ExactUv right = exact_uv(s, corner, x + 1, y, true);
+            const ExactUv below = exact_uv(s, corner, x, y + 1, true);
+            const long double exact[4] = {right.u - here.u, right.v - here.v, below.u - here.u, below.v - here.v};
+            const float got[4] = {f.du_dx.at(i), f.dv_dx.at(i), f.du_dy.at(i), f.dv_dy.at(i)};
+            for (int k = 0; k < 4; ++k) {
+                const double scale = std::max(1e-3, static_cast<double>(std::abs(exact[k])));
+                const double error = static_cast<double>(std::abs(got[k] - exact[k])) / scale;
+                errors.worst = std::max(errors.worst, error);
+            }
+            ++errors.samples;
+        });
     return errors;
 }
 

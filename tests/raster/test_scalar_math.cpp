@@ -20,7 +20,9 @@ constexpr float kInf = std::numeric_limits<float>::infinity();
 constexpr float kNaN = std::numeric_limits<float>::quiet_NaN();
 constexpr float kSmallestSubnormal = 0x1p-149f;
 
-std::uint32_t bits_of(float x) { return std::bit_cast<std::uint32_t>(x); }
+std::uint32_t bits_of(float x) {
+    return std::bit_cast<std::uint32_t>(x);
+}
 
 /// Distance of `got` from the true value in units of the last place: the spacing of floats around the true value.
 double ulps(float got, double want) {
@@ -31,14 +33,14 @@ double ulps(float got, double want) {
 
 struct Worst {
     double error = 0.0;
-    float  at    = 0.0f;
-    int    count = 0;
+    float at = 0.0f;
+    int count = 0;
 
     void add(double e, float x) {
         ++count;
-        if (!(e <= error)) {   // a NaN error counts, too
+        if (!(e <= error)) {  // a NaN error counts, too
             error = e;
-            at    = x;
+            at = x;
         }
     }
 };
@@ -74,14 +76,18 @@ TEST_CASE("exp2 is within 0.83 ulp over the whole range and 0 or inf outside") {
     int wrong_outside = 0;
     for_every_257th_float([&](float x) {
         const float got = raster::exp2(x);
-        if (std::isnan(x)) wrong_outside += !std::isnan(got);
-        else if (x >= 128.0f) wrong_outside += got != kInf;
-        else if (x < -126.0f) wrong_outside += bits_of(got) != 0;
-        else worst.add(ulps(got, std::exp2(static_cast<double>(x))), x);
+        if (std::isnan(x))
+            wrong_outside += !std::isnan(got);
+        else if (x >= 128.0f)
+            wrong_outside += got != kInf;
+        else if (x < -126.0f)
+            wrong_outside += bits_of(got) != 0;
+        else
+            worst.add(ulps(got, std::exp2(static_cast<double>(x))), x);
     });
     CAPTURE(worst.at);
     CHECK(worst.count > 8'000'000);
-    CHECK(worst.error <= 0.83);   // the stated bound; all floats were checked once: 0.823
+    CHECK(worst.error <= 0.83);  // the stated bound; all floats were checked once: 0.823
     CHECK(wrong_outside == 0);
 }
 
@@ -108,7 +114,7 @@ TEST_CASE("exp2 never decreases") {
             x = next;
         }
     }
-    for (std::uint32_t bits = bits_of(-1.0f); bits > bits_of(-0x1p-26f); bits -= 29) {   // where it was hard: below 1
+    for (std::uint32_t bits = bits_of(-1.0f); bits > bits_of(-0x1p-26f); bits -= 29) {  // where it was hard: below 1
         decreases += raster::exp2(std::bit_cast<float>(bits - 29)) < raster::exp2(std::bit_cast<float>(bits));
     }
     CHECK(decreases == 0);
@@ -120,7 +126,7 @@ TEST_CASE("exp2 special values") {
     CHECK(raster::exp2(128.0f) == kInf);
     CHECK(raster::exp2(std::nextafter(128.0f, 0.0f)) < kInf);
     CHECK(raster::exp2(-126.0f) == raster::kMinNormal);
-    CHECK(bits_of(raster::exp2(std::nextafter(-126.0f, -kInf))) == 0);   // would be subnormal
+    CHECK(bits_of(raster::exp2(std::nextafter(-126.0f, -kInf))) == 0);  // would be subnormal
     CHECK(raster::exp2(kInf) == kInf);
     CHECK(bits_of(raster::exp2(-kInf)) == 0);
     CHECK(raster::exp2(raster::kMaxFinite) == kInf);
@@ -134,14 +140,18 @@ TEST_CASE("exp is within 0.991 ulp over the whole range and 0 or inf outside") {
     int wrong_outside = 0;
     for_every_257th_float([&](float x) {
         const float got = raster::exp(x);
-        if (std::isnan(x)) wrong_outside += !std::isnan(got);
-        else if (x >= 88.72284f) wrong_outside += got != kInf;
-        else if (x < -87.33654f) wrong_outside += bits_of(got) != 0;
-        else worst.add(ulps(got, std::exp(static_cast<double>(x))), x);
+        if (std::isnan(x))
+            wrong_outside += !std::isnan(got);
+        else if (x >= 88.72284f)
+            wrong_outside += got != kInf;
+        else if (x < -87.33654f)
+            wrong_outside += bits_of(got) != 0;
+        else
+            worst.add(ulps(got, std::exp(static_cast<double>(x))), x);
     });
     CAPTURE(worst.at);
     CHECK(worst.count > 8'000'000);
-    CHECK(worst.error <= 0.991);   // the stated bound; all floats were checked once: 0.9903
+    CHECK(worst.error <= 0.991);  // the stated bound; all floats were checked once: 0.9903
     CHECK(wrong_outside == 0);
 }
 
@@ -167,14 +177,18 @@ TEST_CASE("log2 is within 0.67 ulp over all normal numbers") {
     int wrong_outside = 0;
     for_every_257th_float([&](float x) {
         const float got = raster::log2(x);
-        if (std::isnan(x)) wrong_outside += !std::isnan(got);
-        else if (x < raster::kMinNormal) wrong_outside += got != -kInf;
-        else if (x == kInf || x == 1.0f) wrong_outside += got != (x == 1.0f ? 0.0f : kInf);
-        else worst.add(ulps(got, std::log2(static_cast<double>(x))), x);
+        if (std::isnan(x))
+            wrong_outside += !std::isnan(got);
+        else if (x < raster::kMinNormal)
+            wrong_outside += got != -kInf;
+        else if (x == kInf || x == 1.0f)
+            wrong_outside += got != (x == 1.0f ? 0.0f : kInf);
+        else
+            worst.add(ulps(got, std::log2(static_cast<double>(x))), x);
     });
     CAPTURE(worst.at);
     CHECK(worst.count > 8'000'000);
-    CHECK(worst.error <= 0.67);   // the stated bound; all floats were checked once: 0.662
+    CHECK(worst.error <= 0.67);  // the stated bound; all floats were checked once: 0.662
     CHECK(wrong_outside == 0);
 }
 
@@ -183,7 +197,7 @@ TEST_CASE("log2 keeps its relative precision next to one") {
         for (const float x : {1.0f + 0x1p-23f * static_cast<float>(step), 1.0f - 0x1p-24f * static_cast<float>(step)}) {
             CAPTURE(x);
             const double want = std::log2(static_cast<double>(x));
-            CHECK(std::fabs(raster::log2_in_double(x) / want - 1.0) < 1.1e-8);   // the stated bound
+            CHECK(std::fabs(raster::log2_in_double(x) / want - 1.0) < 1.1e-8);  // the stated bound
         }
     }
 }
@@ -196,7 +210,7 @@ TEST_CASE("log2 special values") {
     CHECK(raster::log2(kSmallestSubnormal) == -kInf);
     CHECK(raster::log2(-kInf) == -kInf);
     CHECK(raster::log2(kInf) == kInf);
-    CHECK(raster::log2(raster::kMaxFinite) == 128.0f);   // 128 - 8.6e-8, rounded
+    CHECK(raster::log2(raster::kMaxFinite) == 128.0f);  // 128 - 8.6e-8, rounded
     CHECK(std::isnan(raster::log2(kNaN)));
 }
 
@@ -204,15 +218,15 @@ TEST_CASE("log2 special values") {
 
 TEST_CASE("pow is within 1e-6 wherever the result lies in 1e-30 to 1e30") {
     std::vector<float> bases;
-    for (int i = -400; i <= 400; ++i) bases.push_back(static_cast<float>(std::exp2(0.2497 * i)));     // 2^-100..2^100
-    for (int i = 1; i <= 400; ++i) bases.push_back(static_cast<float>(i) / 400.0f * 1.5f);            // 0..1.5
-    for (int i = 0; i < 96; ++i) bases.push_back(static_cast<float>(1.0 - std::exp2(-0.25 * i)));     // 1 from below
-    for (int i = 0; i < 92; ++i) bases.push_back(static_cast<float>(1.0 + std::exp2(-0.25 * i)));     // 1 from above
+    for (int i = -400; i <= 400; ++i) bases.push_back(static_cast<float>(std::exp2(0.2497 * i)));  // 2^-100..2^100
+    for (int i = 1; i <= 400; ++i) bases.push_back(static_cast<float>(i) / 400.0f * 1.5f);         // 0..1.5
+    for (int i = 0; i < 96; ++i) bases.push_back(static_cast<float>(1.0 - std::exp2(-0.25 * i)));  // 1 from below
+    for (int i = 0; i < 92; ++i) bases.push_back(static_cast<float>(1.0 + std::exp2(-0.25 * i)));  // 1 from above
     Worst worst;
     double worst_of_bound = 0.0;
     for (const float x : bases) {
         for (int i = 0; i <= 240; ++i) {
-            const float size = static_cast<float>(std::pow(10.0, 0.05 * i - 6.0));                    // 1e-6..1e6
+            const float size = static_cast<float>(std::pow(10.0, 0.05 * i - 6.0));  // 1e-6..1e6
             for (const float y : {size, -size}) {
                 const long double want = powl(x, y);
                 if (!(x > 0.0f && want >= 1e-30L && want <= 1e30L)) continue;
@@ -225,8 +239,8 @@ TEST_CASE("pow is within 1e-6 wherever the result lies in 1e-30 to 1e30") {
     }
     CAPTURE(worst.at);
     CHECK(worst.count > 300'000);
-    CHECK(worst.error < 8.6e-7);     // the stated bound
-    CHECK(worst_of_bound <= 1.0);    // the stated growth with |y log2 x|
+    CHECK(worst.error < 8.6e-7);   // the stated bound
+    CHECK(worst_of_bound <= 1.0);  // the stated growth with |y log2 x|
 }
 
 TEST_CASE("pow of whole shininess exponents matches repeated multiplication") {
@@ -238,7 +252,7 @@ TEST_CASE("pow of whole shininess exponents matches repeated multiplication") {
             CAPTURE(n_dot_h);
             CAPTURE(shininess);
             const float got = raster::pow(n_dot_h, static_cast<float>(shininess));
-            CHECK(std::fabs(static_cast<double>(got / product - 1.0L)) < 8.6e-7);   // the stated bound
+            CHECK(std::fabs(static_cast<double>(got / product - 1.0L)) < 8.6e-7);  // the stated bound
         }
     }
 }
@@ -258,7 +272,7 @@ TEST_CASE("pow of powers of two with whole exponents is exact") {
 TEST_CASE("pow special values") {
     for (const float y : {kSmallestSubnormal, 1e-37f, 1e-7f, 0.5f, 1.0f, 2.0f, 1000.0f, 1e6f, raster::kMaxFinite}) {
         CAPTURE(y);
-        for (const float zero : {0.0f, -0.0f, kSmallestSubnormal, -2.0f}) {   // all of these count as 0
+        for (const float zero : {0.0f, -0.0f, kSmallestSubnormal, -2.0f}) {  // all of these count as 0
             CHECK(bits_of(raster::pow(zero, y)) == 0);
             CHECK(raster::pow(zero, -y) == kInf);
         }
@@ -276,16 +290,16 @@ TEST_CASE("pow special values") {
     }
     CHECK(raster::pow(2.0f, raster::kMaxFinite) == kInf);
     CHECK(bits_of(raster::pow(0.5f, raster::kMaxFinite)) == 0);
-    CHECK(bits_of(raster::pow(0.5f, 127.0f)) == 0);               // 2^-127 would be subnormal
+    CHECK(bits_of(raster::pow(0.5f, 127.0f)) == 0);  // 2^-127 would be subnormal
     CHECK(raster::pow(0.5f, 126.0f) == raster::kMinNormal);
-    for (std::uint32_t step = 1; step < 1000; ++step) {           // (2^-63 (1 - step 2^-24))^2: just below 2^-126
+    for (std::uint32_t step = 1; step < 1000; ++step) {  // (2^-63 (1 - step 2^-24))^2: just below 2^-126
         CHECK(bits_of(raster::pow(std::bit_cast<float>(bits_of(0x1p-63f) - step), 2.0f)) == 0);
     }
 }
 
 TEST_CASE("a batch loop gives the bits of single calls") {
     std::vector<float> x;
-    for (std::uint64_t bits = 0; bits < (std::uint64_t{1} << 32); bits += 65'521) {   // prime
+    for (std::uint64_t bits = 0; bits < (std::uint64_t{1} << 32); bits += 65'521) {  // prime
         x.push_back(std::bit_cast<float>(static_cast<std::uint32_t>(bits)));
     }
     const int n = static_cast<int>(x.size());
@@ -296,8 +310,8 @@ TEST_CASE("a batch loop gives the bits of single calls") {
     pow_batch(x.data(), 2.2f, pow_of.data(), n);
     int differences = 0;
     for (std::size_t i = 0; i < x.size(); ++i) {
-        const volatile float single = x[i];   // keeps the compiler from turning this loop into a batch, too
-        if (std::isnan(single)) continue;     // the bits inside a NaN are not promised
+        const volatile float single = x[i];  // keeps the compiler from turning this loop into a batch, too
+        if (std::isnan(single)) continue;    // the bits inside a NaN are not promised
         differences += bits_of(exp2_of[i]) != bits_of(raster::exp2(single));
         differences += bits_of(exp_of[i]) != bits_of(raster::exp(single));
         differences += bits_of(log2_of[i]) != bits_of(raster::log2(single));
@@ -311,7 +325,7 @@ TEST_CASE("a batch loop gives the bits of single calls") {
 TEST_CASE("saturate clamps to 0..1 and maps NaN to 0") {
     int wrong = 0;
     for_every_257th_float([&](float x) {
-        const float got  = raster::saturate(x);
+        const float got = raster::saturate(x);
         const float want = x >= 1.0f ? 1.0f : (x > 0.0f ? x : 0.0f);
         wrong += bits_of(got) != bits_of(want);
         wrong += bits_of(raster::saturate(got)) != bits_of(got);
@@ -331,7 +345,7 @@ TEST_CASE("lerp is exact at both ends and symmetric") {
             CAPTURE(a);
             CAPTURE(b);
             CHECK(raster::lerp(a, b, 0.0f) == a);
-            CHECK(raster::lerp(a, b, 1.0f) == b);   // a + t (b - a) gives 0 for a = 1e8 and b = 1
+            CHECK(raster::lerp(a, b, 1.0f) == b);  // a + t (b - a) gives 0 for a = 1e8 and b = 1
             CHECK(raster::lerp(a, b, 0.125f) == raster::lerp(b, a, 0.875f));
         }
     }
@@ -342,8 +356,8 @@ TEST_CASE("rounding half up is the floor of x plus one half") {
     CHECK(raster::round_half_up_to_int(2.5f) == 3);
     CHECK(raster::round_half_up_to_int(-2.5f) == -2);
     CHECK(raster::round_half_up_to_int(-0.5f) == 0);
-    CHECK(raster::round_half_up_to_int(0.49999997f) == 0);     // floor(x + 0.5f) in float gives 1
-    CHECK(raster::round_half_up_to_int(8388609.0f) == 8388609);   // floor(x + 0.5f) in float gives 8388610
+    CHECK(raster::round_half_up_to_int(0.49999997f) == 0);       // floor(x + 0.5f) in float gives 1
+    CHECK(raster::round_half_up_to_int(8388609.0f) == 8388609);  // floor(x + 0.5f) in float gives 8388610
     CHECK(raster::round_half_up_to_int(0x1.fffffep30f) == 2147483520);
     int wrong = 0;
     for_every_257th_float([&](float x) {

@@ -110,7 +110,7 @@ TEST_CASE("shapes: normals are unit and lie on the side the triangle faces") {
         for (const glm::vec3 n : mesh.normals) {
             worst_length = std::max(worst_length, std::abs(glm::length(glm::dvec3(n)) - 1.0));
         }
-        CHECK(worst_length < 1e-7);  // three components rounded to float: at most 2^-25 each against length 1
+        CHECK(worst_length < 1e-7);          // three components rounded to float: at most 2^-25 each against length 1
         CHECK(least_agreement(mesh) > 0.5);  // the least is the teapot's with 0.68, the next the knot's with 0.98
     }
 }
@@ -149,8 +149,8 @@ TEST_CASE("shapes: closed surfaces have the Euler characteristic of their kind")
         int detail;
         long euler;
     };
-    const std::vector<Kind> kinds = {{"cube", 1, 2},     {"cube", 7, 2},  {"sphere", 4, 2},
-                                     {"sphere", 33, 2},  {"torus", 6, 0}, {"torus", 65, 0},
+    const std::vector<Kind> kinds = {{"cube", 1, 2},     {"cube", 7, 2},        {"sphere", 4, 2},
+                                     {"sphere", 33, 2},  {"torus", 6, 0},       {"torus", 65, 0},
                                      {"sphere", 128, 2}, {"torus_knot", 24, 0}, {"torus_knot", 256, 0}};
     for (const Kind& kind : kinds) {
         CAPTURE(kind.name);

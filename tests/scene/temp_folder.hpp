@@ -26,7 +26,9 @@ struct TempFolder {
     TempFolder(const TempFolder&) = delete;
     TempFolder& operator=(const TempFolder&) = delete;
 
-    [[nodiscard]] std::string file(const std::string& name) const { return (path / name).string(); }
+    [[nodiscard]] std::string file(const std::string& name) const {
+        return (path / name).string();
+    }
 
     /// Write a file, with the folders above it, and return its path.
     std::string write(const std::string& name, const std::string& bytes) const {

@@ -9,8 +9,8 @@
 #include <doctest/doctest.h>
 
 #include "raster/shapes.hpp"
-#include "scene/debug_pixel.hpp"
-#include "scene/render.hpp"
+#include "scene/render/debug_pixel.hpp"
+#include "scene/render/render.hpp"
 
 using namespace kreda;
 using namespace kreda::scene;

@@ -5,10 +5,10 @@
 #include <doctest/doctest.h>
 #include <glm/geometric.hpp>
 
-#include "lighting/environment_image.hpp"
-#include "scene/plan_cost.hpp"
-#include "scene/read_scene.hpp"
-#include "scene/render.hpp"
+#include "lighting/environment/environment_image.hpp"
+#include "scene/files/read_scene.hpp"
+#include "scene/plan/plan_cost.hpp"
+#include "scene/render/render.hpp"
 
 using namespace kreda;
 using namespace kreda::scene;
@@ -18,21 +18,26 @@ namespace {
 /// A ball without lamps, lit by an environment of radiance L(direction).
 template <class Radiance>
 Scene ball(const std::string& material, Radiance L, const std::string& environment = "") {
-    Scene scene = read_scene_text("[image]\nsize = [48, 48]\n[camera]\nposition = [0, 0, 4]\nprojection = \"orthographic\"\n"
-                                  "height = 2\n[ambient]\ncolor = [0, 0, 0]\n[environment]\nsky = \"gradient\"\n" + environment +
-                                  "[[object]]\nmesh = \"sphere\"\ndetail = 96\nmaterial = \"m\"\n[[material]]\nname = \"m\"\n" +
-                                  material, "test", "");
+    Scene scene = read_scene_text(
+        "[image]\nsize = [48, 48]\n[camera]\nposition = [0, 0, 4]\nprojection = \"orthographic\"\n"
+        "height = 2\n[ambient]\ncolor = [0, 0, 0]\n[environment]\nsky = \"gradient\"\n" +
+            environment + "[[object]]\nmesh = \"sphere\"\ndetail = 96\nmaterial = \"m\"\n[[material]]\nname = \"m\"\n" +
+            material,
+        "test", "");
     raster::Image image = raster::make_image(64, 32, 3);
     for (int y = 0; y < 32; ++y) {
         for (int x = 0; x < 64; ++x) {
-            image.set_rgb(x, y, L(lighting::equirect_direction({(float(x) + 0.5f) / 64.0f, (float(y) + 0.5f) / 32.0f})));
+            image.set_rgb(x, y,
+                          L(lighting::equirect_direction({(float(x) + 0.5f) / 64.0f, (float(y) + 0.5f) / 32.0f})));
         }
     }
     scene.environment.image = std::make_shared<raster::Image>(image);
     return scene;
 }
 
-glm::vec3 even(const glm::vec3&) { return {0.5f, 1.0f, 2.0f}; }
+glm::vec3 even(const glm::vec3&) {
+    return {0.5f, 1.0f, 2.0f};
+}
 
 raster::Image view_of(const Scene& scene, const char* name) {
     RenderBuffers buffers;
@@ -42,15 +47,16 @@ raster::Image view_of(const Scene& scene, const char* name) {
     return buffers.views[0];
 }
 
-const std::string kWhiteMetal = "model = \"cook_torrance\"\nalbedo = [1, 1, 1]\nmetallic = 1\ngeometry = \"smith_correlated\"\n";
+const std::string kWhiteMetal =
+    "model = \"cook_torrance\"\nalbedo = [1, 1, 1]\nmetallic = 1\ngeometry = \"smith_correlated\"\n";
 
 }  // namespace
 
 TEST_CASE("environment: even light makes a white Lambert ball as bright as itself") {
     for (const char* form : {"map", "sh9"}) {
         CAPTURE(form);
-        const Scene scene = ball("model = \"lambert\"\ndiffuse = [1, 1, 1]\n", even,
-                                 "irradiance = \"" + std::string(form) + "\"\n");
+        const Scene scene =
+            ball("model = \"lambert\"\ndiffuse = [1, 1, 1]\n", even, "irradiance = \"" + std::string(form) + "\"\n");
         const glm::vec3 seen = render(scene).rgb(30, 20);
         // The sum over the texels rounds in float, and their solid angles are those of a cube: 1e-3 for its cosine sum.
         for (int c = 0; c < 3; ++c) CHECK(seen[c] == doctest::Approx(even({})[c]).epsilon(1e-3));
@@ -58,9 +64,12 @@ TEST_CASE("environment: even light makes a white Lambert ball as bright as itsel
 }
 
 TEST_CASE("environment: a white metal in even light loses only what single scattering loses") {
-    // Directional albedo of GGX with Smith's correlated G at n.v = 1: E(1) of roughness 0.3 and 1 (quadrature; the last is
-    // 1 - ln 2).
-    const struct { const char* roughness; double E; } rows[] = {{"0.3", 0.99070}, {"1", 0.30685282}};
+    // Directional albedo of GGX with Smith's correlated G at n.v = 1: E(1) of roughness 0.3 and 1 (quadrature; the last
+    // is 1 - ln 2).
+    const struct {
+        const char* roughness;
+        double E;
+    } rows[] = {{"0.3", 0.99070}, {"1", 0.30685282}};
     for (const auto& row : rows) {
         CAPTURE(row.roughness);
         const std::string material = kWhiteMetal + "roughness = " + row.roughness + "\n";
@@ -72,8 +81,9 @@ TEST_CASE("environment: a white metal in even light loses only what single scatt
 }
 
 TEST_CASE("environment: in even light the split sum is the integral") {
-    for (const std::string& material : {kWhiteMetal + "roughness = 0.5\n",
-                                       std::string("model = \"cook_torrance\"\nalbedo = [0.8, 0.4, 0.2]\nroughness = 0.4\n")}) {
+    for (const std::string& material :
+         {kWhiteMetal + "roughness = 0.5\n",
+          std::string("model = \"cook_torrance\"\nalbedo = [0.8, 0.4, 0.2]\nroughness = 0.4\n")}) {
         CAPTURE(material);
         const raster::Image split = view_of(ball(material, even), "environment_specular");
         const raster::Image exact = view_of(ball(material, even, "reference = 4096\n"), "environment_specular");
@@ -116,7 +126,8 @@ TEST_CASE("environment: the background shows the direction behind each sample") 
         for (const int y : {4, 24, 44}) {
             CAPTURE(x);
             CAPTURE(y);
-            const glm::vec3 d = glm::normalize(glm::vec3((float(x) + 0.5f) / 24.0f - 1.0f, 1.0f - (float(y) + 0.5f) / 24.0f, -1.0f));
+            const glm::vec3 d =
+                glm::normalize(glm::vec3((float(x) + 0.5f) / 24.0f - 1.0f, 1.0f - (float(y) + 0.5f) / 24.0f, -1.0f));
             const glm::vec3 expected = 0.5f * d + glm::vec3(0.5f);
             CHECK(glm::distance(seen.rgb(x, y), expected) < 0.02f);  // half a texel of 64 around, seen through a cube's
         }

@@ -6,12 +6,12 @@
 
 #include <doctest/doctest.h>
 
-#include "lighting/environment_image.hpp"
-#include "scene/environment_cache.hpp"
-#include "scene/environment_plan.hpp"
-#include "scene/map_file.hpp"
-#include "scene/read_scene.hpp"
-#include "scene/render.hpp"
+#include "lighting/environment/environment_image.hpp"
+#include "scene/files/environment_cache.hpp"
+#include "scene/files/map_file.hpp"
+#include "scene/files/read_scene.hpp"
+#include "scene/plan/environment_plan.hpp"
+#include "scene/render/render.hpp"
 #include "tests/scene/temp_folder.hpp"
 
 using namespace kreda;

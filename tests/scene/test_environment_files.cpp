@@ -3,9 +3,9 @@
 
 #include <doctest/doctest.h>
 
-#include "lighting/environment_image.hpp"
-#include "lighting/irradiance.hpp"
-#include "scene/image_file.hpp"
+#include "lighting/environment/environment_image.hpp"
+#include "lighting/environment/irradiance.hpp"
+#include "scene/files/image_file.hpp"
 #include "tests/scene/temp_folder.hpp"
 
 using namespace kreda;

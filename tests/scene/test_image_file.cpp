@@ -1,4 +1,4 @@
-#include "scene/image_file.hpp"
+#include "scene/files/image_file.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -21,11 +21,11 @@ using kreda::scene::read_image;
 using kreda::scene::UserError;
 using kreda::scene::write_exr;
 using kreda::scene::write_png;
-using kreda::tests::bytes_of;
-using kreda::tests::TempFolder;
 using kreda::tests::big_endian;
+using kreda::tests::bytes_of;
 using kreda::tests::one_pixel_png;
 using kreda::tests::png_chunk;
+using kreda::tests::TempFolder;
 
 namespace {
 
@@ -74,9 +74,7 @@ std::size_t files_in(const TempFolder& folder) {
 std::string message_of(const auto& action) {
     try {
         action();
-    } catch (const UserError& error) {
-        return error.what();
-    }
+    } catch (const UserError& error) { return error.what(); }
     return "no error";
 }
 

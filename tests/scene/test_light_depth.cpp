@@ -6,8 +6,8 @@
 
 #include <doctest/doctest.h>
 
-#include "scene/light_depth.hpp"
-#include "scene/read_scene.hpp"
+#include "scene/files/read_scene.hpp"
+#include "scene/render/light_depth.hpp"
 
 using namespace kreda;
 using namespace kreda::scene;

@@ -3,8 +3,8 @@
 
 #include <doctest/doctest.h>
 
-#include "scene/read_scene.hpp"
-#include "scene/render.hpp"
+#include "scene/files/read_scene.hpp"
+#include "scene/render/render.hpp"
 #include "shadows/compare.hpp"
 
 using namespace kreda;
@@ -15,7 +15,8 @@ namespace {
 /// A ball, a torus and a box over a floor.
 Scene things_on_a_floor(const std::string& light, const std::string& shadow) {
     return read_scene_text(
-        "[image]\nsize = [240, 160]\n[camera]\nposition = [0.5, 3, 5]\ntarget = [0, 0.3, 0]\n[[light]]\nshadow = true\n" +
+        "[image]\nsize = [240, 160]\n[camera]\nposition = [0.5, 3, 5]\ntarget = [0, 0.3, 0]\n[[light]]\nshadow = "
+        "true\n" +
             light + "\n[shadow]\n" + shadow +
             "\n[[object]]\nmesh = \"plane\"\nscale = 5\n[[object]]\nmesh = \"sphere\"\ntranslate = [-1.2, 1, 0]\n"
             "[[object]]\nmesh = \"torus\"\ntranslate = [1.2, 0.8, 0.2]\nrotate = [40, 0, 20]\nscale = 0.8\n"
@@ -51,7 +52,8 @@ TEST_CASE("map against rays: at most one percent is misclassified at 2048 texels
         for (const std::string bias : {"slope", "normal_offset"}) {
             CAPTURE(light);
             CAPTURE(bias);
-            const shadows::ShadowError error = error_of_map(things_on_a_floor(light, "size = 2048\nbias = \"" + bias + "\""));
+            const shadows::ShadowError error =
+                error_of_map(things_on_a_floor(light, "size = 2048\nbias = \"" + bias + "\""));
             CHECK(error.visible > 20000);
             CHECK(error.misclassified_share() < 0.002);  // asked for: 0.01
             CHECK(error.acne == 0);

@@ -7,11 +7,11 @@
 #include <glm/geometric.hpp>
 
 #include "raster/film.hpp"
-#include "scene/image_file.hpp"
-#include "scene/load_maps.hpp"
-#include "scene/map_folder.hpp"
-#include "scene/read_scene.hpp"
-#include "scene/render.hpp"
+#include "scene/files/image_file.hpp"
+#include "scene/files/load_maps.hpp"
+#include "scene/files/map_folder.hpp"
+#include "scene/files/read_scene.hpp"
+#include "scene/render/render.hpp"
 #include "tests/scene/raw_png.hpp"
 #include "tests/scene/temp_folder.hpp"
 

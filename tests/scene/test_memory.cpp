@@ -6,7 +6,7 @@
 #include <string>
 
 #include "raster/shapes.hpp"
-#include "scene/render.hpp"
+#include "scene/render/render.hpp"
 
 #if defined(__linux__) && !defined(KREDA_SANITIZED)
 #include <malloc.h>

@@ -1,5 +1,5 @@
 // What is wrong with an OBJ or MTL file becomes one line with the file, the line and the column. Never a crash.
-#include "scene/mesh_file.hpp"
+#include "scene/files/mesh_file.hpp"
 
 #include <random>
 
@@ -18,9 +18,7 @@ std::string error_of_file(const std::string& path, bool allow_outside = false) {
         kreda::scene::MeshFileOptions options;
         options.allow_outside = allow_outside;
         (void)load_mesh_file(path, options);
-    } catch (const UserError& error) {
-        return error.what();
-    }
+    } catch (const UserError& error) { return error.what(); }
     return "no error";
 }
 
@@ -33,7 +31,9 @@ std::string error_of(const std::string& obj, const std::string& mtl = "") {
     return message.starts_with(start) ? message.substr(start.size()) : message;
 }
 
-bool has(const std::string& message, const std::string& words) { return message.find(words) != message.npos; }
+bool has(const std::string& message, const std::string& words) {
+    return message.find(words) != message.npos;
+}
 
 const std::string kVertices = "v 0 0 0\nv 1 0 0\nv 0 1 0\n";
 
@@ -196,9 +196,7 @@ TEST_CASE("mesh errors: damaged files give a mesh or an error and never anything
             for (const std::uint32_t index : loaded.mesh.indices) REQUIRE(index < loaded.mesh.positions.size());
             REQUIRE(loaded.mesh.normals.size() == loaded.mesh.positions.size());
             ++meshes;
-        } catch (const UserError& error) {
-            REQUIRE(std::string(error.what()).starts_with(folder.path.string()));
-        }
+        } catch (const UserError& error) { REQUIRE(std::string(error.what()).starts_with(folder.path.string())); }
     }
     CHECK(meshes > 100);
     CHECK(meshes < kRounds);

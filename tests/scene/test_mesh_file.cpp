@@ -1,5 +1,5 @@
 // Well-formed OBJ and MTL files: what they become. What is wrong with a file is in test_mesh_errors.cpp.
-#include "scene/mesh_file.hpp"
+#include "scene/files/mesh_file.hpp"
 
 #include <algorithm>
 #include <array>

@@ -1,6 +1,6 @@
 #include <doctest/doctest.h>
 
-#include "scene/read_scene.hpp"
+#include "scene/files/read_scene.hpp"
 
 using namespace kreda::scene;
 
@@ -28,9 +28,7 @@ Scene read_with(const std::vector<std::string>& overrides, const std::string& te
 std::string complaint(const std::string& override) {
     try {
         const Scene scene = read_with({override});
-    } catch (const UserError& error) {
-        return error.what();
-    }
+    } catch (const UserError& error) { return error.what(); }
     return "no complaint";
 }
 

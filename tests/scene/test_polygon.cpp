@@ -1,4 +1,4 @@
-#include "scene/polygon.hpp"
+#include "raster/polygon.hpp"
 
 #include <cmath>
 #include <random>
@@ -84,7 +84,9 @@ Polygon spiral(int steps) {
     return p;
 }
 
-double area_of(const Polygon& p) { return 0.5 * glm::length(newell_normal(p)); }
+double area_of(const Polygon& p) {
+    return 0.5 * glm::length(newell_normal(p));
+}
 
 }  // namespace
 

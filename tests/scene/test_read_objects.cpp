@@ -7,8 +7,8 @@
 
 #include <glm/vec4.hpp>
 
-#include "scene/read_objects.hpp"
-#include "scene/read_scene.hpp"
+#include "scene/files/read_objects.hpp"
+#include "scene/files/read_scene.hpp"
 
 using namespace kreda::scene;
 
@@ -28,7 +28,9 @@ struct MeshFolder {
               "g bare\nf 1 2 3\ng body\nusemtl red\nf 1 2 3\ng lid\nusemtl blue\nf 2 4 3\n");
         write("bare.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n");
     }
-    ~MeshFolder() { std::filesystem::remove_all(path); }
+    ~MeshFolder() {
+        std::filesystem::remove_all(path);
+    }
     void write(const std::string& name, const std::string& text) const {
         std::ofstream(path / name, std::ios::binary) << text;
     }
@@ -38,9 +40,7 @@ struct MeshFolder {
     [[nodiscard]] std::string complaint(const std::string& text) const {
         try {
             const Scene scene = read(text);
-        } catch (const UserError& error) {
-            return error.what();
-        }
+        } catch (const UserError& error) { return error.what(); }
         return "no complaint";
     }
 };
@@ -107,8 +107,9 @@ TEST_CASE("A mesh that is not there is reported where it is named") {
 
 TEST_CASE("The material of an object covers all its parts") {
     const MeshFolder folder;
-    const Scene scene = folder.read("[[material]]\nname = 'a'\n[[material]]\nname = 'b'\n"
-                                    "[[object]]\nmesh = 'parts.obj'\nmaterial = 'b'\n");
+    const Scene scene = folder.read(
+        "[[material]]\nname = 'a'\n[[material]]\nname = 'b'\n"
+        "[[object]]\nmesh = 'parts.obj'\nmaterial = 'b'\n");
     CHECK(scene.objects[0].part_material == std::vector<int>{1, 1, 1});
 }
 
@@ -150,10 +151,11 @@ TEST_CASE("Hidden parts are known parts") {
 
 TEST_CASE("Objects of the same mesh and settings share it") {
     const MeshFolder folder;
-    const Scene scene = folder.read("[[object]]\nmesh = 'parts.obj'\n[[object]]\nmesh = './parts.obj'\n"
-                                    "[[object]]\nmesh = 'parts.obj'\nnormals = 'flat'\n"
-                                    "[[object]]\nmesh = 'cube'\ndetail = 2\n[[object]]\nmesh = 'cube'\ndetail = 2\n"
-                                    "[[object]]\nmesh = 'cube'\ndetail = 3\n");
+    const Scene scene = folder.read(
+        "[[object]]\nmesh = 'parts.obj'\n[[object]]\nmesh = './parts.obj'\n"
+        "[[object]]\nmesh = 'parts.obj'\nnormals = 'flat'\n"
+        "[[object]]\nmesh = 'cube'\ndetail = 2\n[[object]]\nmesh = 'cube'\ndetail = 2\n"
+        "[[object]]\nmesh = 'cube'\ndetail = 3\n");
     CHECK(scene.objects[0].mesh == scene.objects[1].mesh);
     CHECK(scene.objects[0].part_material == scene.objects[1].part_material);
     CHECK(scene.objects[0].mesh != scene.objects[2].mesh);
@@ -170,4 +172,3 @@ TEST_CASE("Flat normals of a built-in mesh are those of its triangles") {
         CHECK(mesh.normals[mesh.indices[i]] == mesh.normals[mesh.indices[i + 2]]);
     }
 }
-

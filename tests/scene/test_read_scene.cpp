@@ -1,8 +1,8 @@
 #include <doctest/doctest.h>
 
 #include "lighting/spectrum.hpp"
-#include "scene/read_scene.hpp"
-#include "scene/scene_keys.hpp"
+#include "scene/files/read_scene.hpp"
+#include "scene/files/scene_keys.hpp"
 
 using namespace kreda;
 using namespace kreda::scene;

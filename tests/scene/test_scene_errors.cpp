@@ -1,7 +1,7 @@
 #include <doctest/doctest.h>
 
-#include "scene/read_scene.hpp"
-#include "scene/scene_keys.hpp"
+#include "scene/files/read_scene.hpp"
+#include "scene/files/scene_keys.hpp"
 
 using namespace kreda::scene;
 
@@ -11,9 +11,7 @@ namespace {
 std::string complaint(const std::string& text) {
     try {
         const Scene scene = read_scene_text(text, "s.toml", ".");
-    } catch (const UserError& error) {
-        return error.what();
-    }
+    } catch (const UserError& error) { return error.what(); }
     return "no complaint";
 }
 
@@ -167,7 +165,8 @@ TEST_CASE("Keys of a material that contradict or lack each other are reported wi
     CHECK(complaint(start + "measured = 'gold'\nior = [1, 1, 1]\n") ==
           "s.toml:2:12: 'measured' and 'ior' in [[material]] both give n; remove one of them");
     CHECK(complaint(start + "spectrum = 'three'\n") ==
-          "s.toml:2:12: 'spectrum' in [[material]] needs 'measured': only then more wavelengths are known, e.g. measured = "
+          "s.toml:2:12: 'spectrum' in [[material]] needs 'measured': only then more wavelengths are known, e.g. "
+          "measured = "
           "\"gold\"");
     CHECK(complaint(start + "outside_ior = 1.33\n") ==
           "s.toml:2:15: 'outside_ior' in [[material]] needs 'ior' or 'measured': n of both sides");
@@ -211,9 +210,7 @@ TEST_CASE("A file that cannot be read as a scene is one clear line") {
     const auto complaint_about = [](const std::string& path) -> std::string {
         try {
             const Scene scene = read_scene(path);
-        } catch (const UserError& error) {
-            return error.what();
-        }
+        } catch (const UserError& error) { return error.what(); }
         return "no complaint";
     };
     CHECK(complaint_about("/no/such/scene.toml") == "/no/such/scene.toml: cannot be opened: No such file or directory");

@@ -6,8 +6,8 @@
 #include <doctest/doctest.h>
 #include <glm/geometric.hpp>
 
-#include "scene/read_scene.hpp"
-#include "scene/render.hpp"
+#include "scene/files/read_scene.hpp"
+#include "scene/render/render.hpp"
 
 using namespace kreda;
 using namespace kreda::scene;

@@ -4,9 +4,9 @@
 
 #include <doctest/doctest.h>
 
-#include "scene/plan_cost.hpp"
-#include "scene/read_scene.hpp"
-#include "scene/render.hpp"
+#include "scene/files/read_scene.hpp"
+#include "scene/plan/plan_cost.hpp"
+#include "scene/render/render.hpp"
 
 using namespace kreda;
 using namespace kreda::scene;

@@ -9,8 +9,8 @@
 #include <glm/geometric.hpp>
 
 #include "raster/shapes.hpp"
-#include "scene/read_scene.hpp"
-#include "scene/render.hpp"
+#include "scene/files/read_scene.hpp"
+#include "scene/render/render.hpp"
 
 using namespace kreda;
 using namespace kreda::scene;
@@ -125,14 +125,15 @@ TEST_CASE("views: a light that is left out where it shines on the back leaves no
     // A film with a view is drawn with every light at every point; one without leaves out what adds nothing. The
     // lamps stand to the sides and behind, each lighting another part; the spot lights a patch.
     const std::string lamps =
-        "[[light]]\ndirection = [-1, -2, -1]\nshadow = true\n[[light]]\ntype = \"point\"\nposition = [3, 0, 0.5]\nshadow = true\n"
+        "[[light]]\ndirection = [-1, -2, -1]\nshadow = true\n[[light]]\ntype = \"point\"\nposition = [3, 0, "
+        "0.5]\nshadow = true\n"
         "[[light]]\ntype = \"point\"\nposition = [0, 0, -3]\n"
         "[[light]]\ntype = \"spot\"\nposition = [-2, -2, 2]\ndirection = [1, 1, -1]\n"
         "[[light]]\ntype = \"directional\"\ndirection = [0, 1, 0.2]\n";
-    for (const char* material : {"lambert", "phong", "blinn_phong", "ward", "ward\"\nward_alpha = [0.1, 0.5]\n#\"",
-                                 "heidrich_seidel", "cook_torrance",
-                                 "cook_torrance\"\nenergy_compensation = \"kulla_conty\"\n#\"",
-                                 "phong\"\nshininess = 0\n#\""}) {
+    for (const char* material :
+         {"lambert", "phong", "blinn_phong", "ward", "ward\"\nward_alpha = [0.1, 0.5]\n#\"", "heidrich_seidel",
+          "cook_torrance", "cook_torrance\"\nenergy_compensation = \"kulla_conty\"\n#\"",
+          "phong\"\nshininess = 0\n#\""}) {
         CAPTURE(material);
         Scene scene = ball("model = \"" + std::string(material) + "\"\n");
         scene.lights = read_scene_text(lamps, "test", "").lights;

@@ -23,17 +23,14 @@ bool ball_blocks(const glm::dvec3& c, double r, const glm::dvec4& light, const g
 
 ShadowLight random_light(Random& random) {
     switch (random.integer(0, 3)) {
-        case 0:
-            return directional_light(random.in_box(1.0f) + glm::vec3(0.001f));
+        case 0: return directional_light(random.in_box(1.0f) + glm::vec3(0.001f));
         case 1: {  // along an axis: rays in the faces of boxes
             glm::vec3 direction(0.0f);
             direction[random.integer(0, 2)] = random.integer(0, 1) ? 1.0f : -1.0f;
             return directional_light(direction);
         }
-        case 2:
-            return point_light(glm::round(random.in_box(4.0f)));
-        default:
-            return point_light(random.in_box(3.0f));
+        case 2: return point_light(glm::round(random.in_box(4.0f)));
+        default: return point_light(random.in_box(3.0f));
     }
 }
 

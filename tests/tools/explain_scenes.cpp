@@ -1,8 +1,8 @@
 #include "tests/tools/explain_scenes.hpp"
 
-#include "scene/environment_plan.hpp"
-#include "scene/image_file.hpp"
-#include "scene/read_scene.hpp"
+#include "scene/files/image_file.hpp"
+#include "scene/files/read_scene.hpp"
+#include "scene/plan/environment_plan.hpp"
 #include "tests/scene/temp_folder.hpp"
 
 namespace kreda::tests {
@@ -38,8 +38,8 @@ void surround(scene::Scene& scene) {
     auto image = std::make_shared<raster::Image>(raster::make_image(8, 4, 3));
     for (std::size_t i = 0; i < image->values.size(); ++i) image->values[i] = static_cast<float>(i * 37 % 96) / 48.0f;
     scene.environment.image = image;
-    scene.environment.prepared = std::make_shared<scene::PreparedEnvironment>(
-        prepare_environment(scene.environment, environment_needs(scene)));
+    scene.environment.prepared =
+        std::make_shared<scene::PreparedEnvironment>(prepare_environment(scene.environment, environment_needs(scene)));
 }
 
 /// Three small pictures of numbers that are all different.
@@ -114,7 +114,8 @@ std::vector<NamedScene> make_scenes() {
     add("diffuse map", model("phong") + "diffuse_map = \"colors.png\"\ntexture_filter = \"bilinear\"\n");
     add("unlit map", model("unlit") + "diffuse_map = \"colors.png\"\n");
     add("no culling", model("phong"), "[shading]\ncull = \"none\"\n");
-    const auto add_surrounded = [&](const std::string& name, const std::string& material, const std::string& environment) {
+    const auto add_surrounded = [&](const std::string& name, const std::string& material,
+                                    const std::string& environment) {
         add("environment, " + name, material, "[environment]\nsky = \"studio\"\nsamples = 32\n" + environment);
         surround(scenes.back().scene);
     };

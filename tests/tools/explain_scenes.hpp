@@ -13,9 +13,8 @@ struct NamedScene {
     scene::Scene scene;
 };
 
-/// Every reflection model, shading frequency, fog, environment, clipping, culling, several samples, both projections; 24 x 16
-/// pixels.
-/// Read once, with what is baked for them.
+/// Every reflection model, shading frequency, fog, environment, clipping, culling, several samples, both projections;
+/// 24 x 16 pixels. Read once, with what is baked for them.
 [[nodiscard]] const std::vector<NamedScene>& scenes_to_explain();
 
 }  // namespace kreda::tests

@@ -18,7 +18,8 @@ namespace {
 [[noreturn]] void become_kreda(char** arguments, const char* folder, const char* out, const char* err) {
     const int out_file = open(out, O_WRONLY | O_CREAT | O_TRUNC, 0600);
     const int err_file = open(err, O_WRONLY | O_CREAT | O_TRUNC, 0600);
-    const bool ready = out_file >= 0 && err_file >= 0 && chdir(folder) == 0 && dup2(out_file, 1) == 1 && dup2(err_file, 2) == 2;
+    const bool ready =
+        out_file >= 0 && err_file >= 0 && chdir(folder) == 0 && dup2(out_file, 1) == 1 && dup2(err_file, 2) == 2;
     if (ready) execv(KREDA_PROGRAM, arguments);
     _exit(127);
 }
@@ -50,7 +51,8 @@ int line_count(const std::string& text) {
 
 std::vector<std::string> names_in(const std::string& folder) {
     std::vector<std::string> names;
-    for (const auto& entry : std::filesystem::directory_iterator(folder)) names.push_back(entry.path().filename().string());
+    for (const auto& entry : std::filesystem::directory_iterator(folder))
+        names.push_back(entry.path().filename().string());
     std::sort(names.begin(), names.end());
     return names;
 }

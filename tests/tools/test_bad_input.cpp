@@ -33,7 +33,9 @@ void check_refused(const BadInput& bad, const TempFolder& folder) {
     CHECK(names_in(folder.path.string()) == before);
 }
 
-std::string scene_with_mesh(const std::string& mesh) { return "[[object]]\nmesh = \"" + mesh + "\"\n"; }
+std::string scene_with_mesh(const std::string& mesh) {
+    return "[[object]]\nmesh = \"" + mesh + "\"\n";
+}
 
 }  // namespace
 

@@ -10,11 +10,11 @@
 #include <unistd.h>
 #include <nlohmann/json.hpp>
 
-#include "lighting/environment_image.hpp"
-#include "scene/image_file.hpp"
+#include "lighting/environment/environment_image.hpp"
+#include "scene/files/image_file.hpp"
 #include "tests/scene/temp_folder.hpp"
 #include "tests/tools/run_kreda.hpp"
-#include "tools/bake.hpp"
+#include "tools/bake/bake.hpp"
 #include "tools/progress_bar.hpp"
 
 using namespace kreda;

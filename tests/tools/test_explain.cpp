@@ -7,13 +7,13 @@
 #include <nlohmann/json.hpp>
 
 #include "raster/film.hpp"
-#include "scene/image_file.hpp"
-#include "scene/read_scene.hpp"
-#include "scene/render.hpp"
+#include "scene/files/image_file.hpp"
+#include "scene/files/read_scene.hpp"
+#include "scene/render/render.hpp"
 #include "tests/scene/temp_folder.hpp"
 #include "tests/tools/explain_scenes.hpp"
 #include "tests/tools/run_kreda.hpp"
-#include "tools/explain.hpp"
+#include "tools/explain/explain.hpp"
 
 using namespace kreda;
 using namespace kreda::tests;

@@ -6,10 +6,10 @@
 #include <doctest/doctest.h>
 
 #include "raster/image.hpp"
-#include "scene/image_file.hpp"
+#include "scene/files/image_file.hpp"
 #include "tests/scene/temp_folder.hpp"
 #include "tests/tools/run_kreda.hpp"
-#include "tools/markdown.hpp"
+#include "tools/gallery/markdown.hpp"
 
 using namespace kreda;
 using namespace kreda::tests;
@@ -27,7 +27,8 @@ void write_examples(const TempFolder& folder) {
     scene::write_png(folder.file("out/22_phong_terms/specular.png"), raster::make_image(30, 20, 3));
     folder.write("out/22_phong_terms/output.txt", "n.l = 0.5 < 1\n");
     folder.write("docs/10_triangle.md",
-                 "# 10 A triangle & its edges\n\n## Goal\n\n![edges](../out/10_triangle/edge_functions.png)\n\nWhich pixels are\n"
+                 "# 10 A triangle & its edges\n\n## Goal\n\n![edges](../out/10_triangle/edge_functions.png)\n\nWhich "
+                 "pixels are\n"
                  "inside, if `a < b`?\n\n## The idea\n\nThen [depth](11_z_buffer.md).\n");
     folder.write("docs/11_z_buffer.md", "# Depth\n\n## Goal\n\nSee [the triangle](10_triangle.md).\n");
 }
@@ -81,7 +82,8 @@ TEST_CASE("gallery: every link of every page leads to a file and none to the net
     write_examples(folder);
     REQUIRE(run_kreda({"gallery", "out", "docs"}, folder.path.string()).exit_code == 0);
     check_links(folder.path / "out/index.html");
-    for (const char* name : {"10_triangle", "11_z_buffer", "22_phong_terms"}) check_links(folder.path / "out" / name / "index.html");
+    for (const char* name : {"10_triangle", "11_z_buffer", "22_phong_terms"})
+        check_links(folder.path / "out" / name / "index.html");
 }
 
 TEST_CASE("gallery of an empty folder says so") {
@@ -99,7 +101,8 @@ TEST_CASE("markdown: blocks") {
           "<pre><code>if (a &lt; b) *p = 1;\n\n# no heading\n</code></pre>\n");
     CHECK(html("so\n\n    a  <\n      b\n\nend") == "<p>so</p>\n<pre><code>a  &lt;\n  b\n</code></pre>\n<p>end</p>\n");
     CHECK(html("| a | b |\n| --- | --- |\n| `x | y` | 2 |") ==
-          "<div class=\"wide\"><table>\n<tr><th>a</th><th>b</th></tr>\n<tr><td><code>x | y</code></td><td>2</td></tr>\n</table></div>\n");
+          "<div class=\"wide\"><table>\n<tr><th>a</th><th>b</th></tr>\n<tr><td><code>x | "
+          "y</code></td><td>2</td></tr>\n</table></div>\n");
 }
 
 TEST_CASE("markdown: spans") {

@@ -3,10 +3,10 @@
 
 #include <doctest/doctest.h>
 
-#include "scene/scene_keys.hpp"
+#include "scene/files/scene_keys.hpp"
 #include "tests/scene/temp_folder.hpp"
 #include "tests/tools/run_kreda.hpp"
-#include "tools/time_report.hpp"
+#include "tools/bench/time_report.hpp"
 
 using namespace kreda;
 using namespace kreda::tests;
@@ -15,7 +15,8 @@ TEST_CASE("help names every command and render's help every option") {
     const TempFolder folder;
     const Outcome help = run_kreda({"--help"}, folder.path.string());
     CHECK(help.exit_code == 0);
-    for (const char* command : {"render", "plan", "keys", "gallery"}) CHECK(help.out.find(command) != std::string::npos);
+    for (const char* command : {"render", "plan", "keys", "gallery"})
+        CHECK(help.out.find(command) != std::string::npos);
     const Outcome render = run_kreda({"render", "--help"}, folder.path.string());
     CHECK(render.exit_code == 0);
     for (const char* option : {"--output", "--size", "--samples", "--threads", "--set", "--time", "--repeat",

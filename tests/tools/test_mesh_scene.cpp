@@ -5,8 +5,8 @@
 #include <glm/vec4.hpp>
 
 #include "raster/camera.hpp"
-#include "scene/image_file.hpp"
-#include "scene/read_scene.hpp"
+#include "scene/files/image_file.hpp"
+#include "scene/files/read_scene.hpp"
 #include "tests/scene/temp_folder.hpp"
 #include "tests/tools/run_kreda.hpp"
 #include "tools/mesh_scene.hpp"
@@ -27,7 +27,9 @@ TEST_CASE("The camera around a mesh sees all of it between its near and far plan
         const TempFolder folder;
         std::string obj;
         for (int i = 0; i < 8; ++i) {  // the corners of a box far from the origin
-            const auto coordinate = [&](int bit) { return std::to_string(size * (3.0 + ((i >> bit & 1) ? 1.0 : 0.0))); };
+            const auto coordinate = [&](int bit) {
+                return std::to_string(size * (3.0 + ((i >> bit & 1) ? 1.0 : 0.0)));
+            };
             obj += "v " + coordinate(0) + " " + coordinate(1) + " " + coordinate(2) + "\n";
         }
         folder.write("box.obj", obj + "f 1 2 4 3\nf 5 7 8 6\nf 1 5 6 2\nf 3 4 8 7\nf 1 3 7 5\nf 2 6 8 4\n");

@@ -12,7 +12,9 @@ using namespace kreda::tests;
 
 namespace {
 
-std::string text_of(const std::string& file) { return bytes_of(std::string(KREDA_SOURCE_DIR) + "/" + file); }
+std::string text_of(const std::string& file) {
+    return bytes_of(std::string(KREDA_SOURCE_DIR) + "/" + file);
+}
 
 /// What stands between `open` and the next `close`.
 std::string between(const std::string& text, const std::string& open, const std::string& close) {

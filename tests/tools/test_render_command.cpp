@@ -6,7 +6,7 @@
 #include <doctest/doctest.h>
 #include <nlohmann/json.hpp>
 
-#include "scene/image_file.hpp"
+#include "scene/files/image_file.hpp"
 #include "tests/scene/temp_folder.hpp"
 #include "tests/tools/run_kreda.hpp"
 
@@ -18,11 +18,13 @@ namespace {
 /// A unit square that fills the view of an orthographic camera: every pixel is shaded, and the colour is known.
 void write_full_view(const TempFolder& folder, const std::string& more = "") {
     folder.write("square.obj", "v -2 -2 0\nv 2 -2 0\nv 2 2 0\nv -2 2 0\nvn 0 0 1\nf 1//1 2//1 3//1 4//1\n");
-    folder.write("square.toml",
-                 "[image]\nsize = [24, 16]\n"
-                 "[camera]\nposition = [0, 0, 4]\nprojection = \"orthographic\"\nheight = 2\n" + more +
-                     "[[material]]\nname = \"m\"\nmodel = \"unlit\"\nemission = [0.25, 0.5, 0.75]\ndiffuse = [0.25, 0.5, 0.75]\n"
-                     "[[object]]\nmesh = \"square.obj\"\nmaterial = \"m\"\n");
+    folder.write(
+        "square.toml",
+        "[image]\nsize = [24, 16]\n"
+        "[camera]\nposition = [0, 0, 4]\nprojection = \"orthographic\"\nheight = 2\n" +
+            more +
+            "[[material]]\nname = \"m\"\nmodel = \"unlit\"\nemission = [0.25, 0.5, 0.75]\ndiffuse = [0.25, 0.5, 0.75]\n"
+            "[[object]]\nmesh = \"square.obj\"\nmaterial = \"m\"\n");
 }
 
 /// A lit shape with some curvature: many different values in the picture.
@@ -120,7 +122,8 @@ TEST_CASE("time prints one line of JSON whose counts are those of a view filled 
 TEST_CASE("four samples a pixel are four times the shading and the same flat colour") {
     const TempFolder folder;
     write_full_view(folder);
-    const auto json = nlohmann::json::parse(render(folder, {"square.toml", "--time", "--samples", "2", "-o", "four.exr"}));
+    const auto json =
+        nlohmann::json::parse(render(folder, {"square.toml", "--time", "--samples", "2", "-o", "four.exr"}));
     CHECK(json.at("pixels_shaded") == 4 * 24 * 16);
     render(folder, {"square.toml", "-o", "one.exr"});
     CHECK(scene::read_image(folder.file("four.exr")).values == scene::read_image(folder.file("one.exr")).values);
@@ -255,14 +258,17 @@ TEST_CASE("plan prints what a scene requires and nothing else") {
     const std::string foggy = run_kreda({"plan", "sphere.toml"}, folder.path.string()).out;
     CAPTURE(foggy);
     const std::size_t vertices = foggy.find(". vertices: "), visibility = foggy.find(". visibility: ");
-    const std::size_t light = foggy.find(". light pixels: "), fog = foggy.find("fog at pixels: "), film = foggy.find(". film: ");
+    const std::size_t light = foggy.find(". light pixels: "), fog = foggy.find("fog at pixels: "),
+                      film = foggy.find(". film: ");
     CHECK(vertices < visibility);
     CHECK(visibility < light);
     CHECK(light < fog);
     CHECK(fog < film);
     CHECK(film != std::string::npos);
-    CHECK(foggy.find("film: one sample a pixel\n     linear RGB: " + std::to_string(48 * 32 * 12) + " bytes") != std::string::npos);
-    const std::string clear = run_kreda({"plan", "sphere.toml", "--set", "fog.mode=\"none\""}, folder.path.string()).out;
+    CHECK(foggy.find("film: one sample a pixel\n     linear RGB: " + std::to_string(48 * 32 * 12) + " bytes") !=
+          std::string::npos);
+    const std::string clear =
+        run_kreda({"plan", "sphere.toml", "--set", "fog.mode=\"none\""}, folder.path.string()).out;
     CHECK(clear.find("fog") == std::string::npos);
     CHECK(names_in(folder.path.string()) == std::vector<std::string>{"sphere.toml"});
 }

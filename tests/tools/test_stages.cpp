@@ -9,15 +9,15 @@
 #include <zlib.h>
 #include <nlohmann/json.hpp>
 
-#include "scene/image_file.hpp"
-#include "scene/read_scene.hpp"
-#include "scene/render.hpp"
+#include "scene/files/image_file.hpp"
+#include "scene/files/read_scene.hpp"
+#include "scene/render/render.hpp"
 #include "tests/scene/temp_folder.hpp"
 #include "tests/tools/explain_scenes.hpp"
 #include "tests/tools/run_kreda.hpp"
-#include "tools/slide.hpp"
-#include "tools/stage.hpp"
-#include "tools/stage_page.hpp"
+#include "tools/draw/slide.hpp"
+#include "tools/stages/stage.hpp"
+#include "tools/stages/stage_page.hpp"
 
 using namespace kreda;
 using namespace kreda::tests;

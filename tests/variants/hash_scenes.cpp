@@ -13,7 +13,7 @@
 #include "raster/film.hpp"
 #include "raster/shapes.hpp"
 #include "scene/map_meshes.hpp"
-#include "scene/render.hpp"
+#include "scene/render/render.hpp"
 
 namespace {
 
@@ -92,9 +92,9 @@ scene::Scene textured_scene(lighting::ReflectionModel model, int i) {
 std::vector<NamedScene> make_scenes() {
     using lighting::ReflectionModel;
     std::vector<NamedScene> scenes;
-    for (const ReflectionModel model : {ReflectionModel::unlit, ReflectionModel::lambert, ReflectionModel::phong,
-                                        ReflectionModel::blinn_phong, ReflectionModel::ward,
-                                        ReflectionModel::heidrich_seidel}) {
+    for (const ReflectionModel model :
+         {ReflectionModel::unlit, ReflectionModel::lambert, ReflectionModel::phong, ReflectionModel::blinn_phong,
+          ReflectionModel::ward, ReflectionModel::heidrich_seidel}) {
         scenes.push_back({"model " + std::to_string(static_cast<int>(model)), base_scene(model)});
     }
     scenes.push_back({"ward brushed", base_scene(ReflectionModel::ward)});
@@ -149,7 +149,8 @@ std::vector<NamedScene> make_scenes() {
         scene::Scene s = base_scene(ReflectionModel::phong);
         for (lighting::Light& light : s.lights) light.shadow = true;
         s.shadow.method = static_cast<shadows::ShadowMethod>(method);
-        if (s.shadow.method == shadows::ShadowMethod::planar) s.objects[2] = object_of("plane", 4, {0.0f, -0.9f, 0.0f}, 1);
+        if (s.shadow.method == shadows::ShadowMethod::planar)
+            s.objects[2] = object_of("plane", 4, {0.0f, -0.9f, 0.0f}, 1);
         s.image.samples = 1 + method % 2;
         scenes.push_back({"shadow method " + std::to_string(method), s});
     }

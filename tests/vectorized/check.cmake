@@ -1,4 +1,4 @@
-# cmake -DCOMPILER=g++ -DSOURCE=folder -DFILE=lighting/passes.cpp -P check.cmake
+# cmake -DCOMPILER=g++ -DSOURCE=folder -DFILE=lighting/batch/passes.cpp -P check.cmake
 # Compiles FILE for AVX2 as `release` does and asks GCC which loops became vector code. Every loop over lanes,
 # "for (int i = 0; i < lanes; ++i)", must be among them, unless its line says "// not vectorized: why".
 # noipa: a loop must vectorize by what its own function says. Compiled once for each machine it knows no more of its callers.

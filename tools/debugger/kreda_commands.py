@@ -109,7 +109,7 @@ Your own breakpoints rest until the pixel is reached."""
         if code is not None and int(code) != 0:
             return "pixel: the program ended with exit code %d" % int(code)
         if not counter.sizes:
-            return "pixel: this program shades no pixels with scene/render.cpp; use break (see the example's page)"
+            return "pixel: this program shades no pixels with scene/render/render.cpp; use break (see the example's page)"
         sizes = ", ".join("%d: %d x %d" % (i + 1, w, h) for i, (w, h) in enumerate(counter.sizes[:12]))
         return "pixel: no picture has a pixel (%d, %d) there; the program drew %s" % (x, y, sizes)
 

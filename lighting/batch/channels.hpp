@@ -1,0 +1,77 @@
+// The named quantities of a batch while it is lit: what the passes write for each other and for the pictures of stages.
+#pragma once
+
+#include "lighting/environment/texel_taps.hpp"
+#include "lighting/reflection.hpp"
+#include "raster/fragments.hpp"
+
+namespace kreda::lighting {
+
+/// The quantities of the microfacet model at every point; they hold something only where the material is cook_torrance.
+struct MicrofacetChannels {
+    raster::Channel3 albedo;  ///< c, linear RGB
+    raster::Channel3 f0;      ///< reflectance at normal incidence
+    raster::Channel metallic, roughness, alpha, ao;
+    raster::Channel n_dot_l, n_dot_v, n_dot_h, v_dot_h, sin2_h;
+    raster::Channel D;   ///< of the light that is being added
+    raster::Channel V;   ///< G / (4 (n.l)(n.v)) of that light
+    raster::Channel3 F;  ///< at v.h, of that light
+};
+
+/// What the environment sends and what becomes of it; they hold something only where the scene has an environment.
+struct EnvironmentChannels {
+    raster::Channel3 direction;      ///< world space: r; of the background the way a sample looks
+    raster::Channel3 map_direction;  ///< n, r or l as the maps know it
+    raster::Channel3 irradiance;     ///< E on n
+    raster::Channel3 prefiltered;    ///< P: radiance around r, as blurred as the surface is rough
+    raster::Channel lod;             ///< level of the prefiltered map
+    raster::Channel3 brdf;           ///< A, B and the mean energy of the roughness
+    raster::Channel3 F;              ///< at n.v
+    raster::Channel3 diffuse;        ///< of ambient, what comes from the environment by diffuse reflection
+    raster::Channel3 specular;       ///< and by specular reflection
+    TapScratch scratch;
+};
+
+/// Every quantity of the lecture's equation at every point of a batch.
+struct LightingChannels {
+    raster::Channel level;        ///< level of detail at which the maps are read (trilinear)
+    raster::Channel3 m_D;         ///< diffuse reflectance, where a map gives it
+    raster::Channel3 map_normal;  ///< what the normal map says: t, b, n components, not unit
+    raster::Channel3 n;           ///< unit normal
+    raster::Channel3 v;           ///< unit, to the viewer
+    raster::Channel3 t;           ///< unit, in the surface: the way scratches or threads run (ward, heidrich_seidel)
+    raster::Channel3 l;           ///< unit, to the light that is being added
+    raster::Channel3 irradiance;  ///< what that light sends, s(p); in shadow what the shadow leaves of it
+    raster::Channel n_dot_l;      ///< of that light; negative where the surface faces away from it
+    raster::Channel sigma;        ///< Sigma of that light; phong and blinn_phong
+    raster::Channel
+        highlight;           ///< Sigma^h of that light, 0 where the surface faces away from it; phong and blinn_phong
+    raster::Channel shadow;  ///< of that light: 1 lit .. 0 in full shadow; only where it casts shadows
+    raster::Channel
+        blocker_distance;       ///< from a point back to what keeps that light from it, world units; only for views
+    raster::Channel penumbra;   ///< width of that shadow's soft edge there, world units; only for views
+    raster::Channel3 ambient;   ///< s_A m_A + m_E and what the environment adds
+    raster::Channel3 diffuse;   ///< sum over lights of s m_D (l.n)
+    raster::Channel3 specular;  ///< sum over lights of s m_S Sigma^h
+    raster::Channel fog;        ///< f
+    raster::Channel3 radiance;  ///< what leaves toward the viewer: linear RGB
+    MicrofacetChannels microfacet;
+    EnvironmentChannels environment;
+};
+
+/// The way to the light that is being added, unit, at point i: l and n.l. Returns n.l. Requires n.
+inline float set_direction_to_light(LightingChannels& c, int i, const glm::vec3& l) {
+    const float n_dot_l = glm::dot(c.n.at(i), l);
+    c.l.set(i, l);
+    c.n_dot_l.set(i, n_dot_l);
+    return n_dot_l;
+}
+
+/// Add one light's reflection at point i to the sums.
+inline void add_terms(LightingChannels& c, int i, const ReflectedTerms& terms) {
+    const glm::vec3 s = c.irradiance.at(i);
+    c.diffuse.set(i, c.diffuse.at(i) + s * terms.diffuse);
+    c.specular.set(i, c.specular.at(i) + s * terms.specular);
+}
+
+}  // namespace kreda::lighting

@@ -1,0 +1,273 @@
+#include "lighting/batch/environment_passes.hpp"
+
+#include "lighting/batch/microfacet_passes.hpp"
+#include "lighting/batch/passes.hpp"
+#include "lighting/importance.hpp"
+#include "raster/platform.hpp"
+
+namespace kreda::lighting {
+
+namespace {
+
+using raster::lanes_for;
+
+KREDA_BATCH_LOOP void turn_to_maps(int lanes, const EnvironmentSetup& setup, const raster::Channel3& direction,
+                                   EnvironmentChannels& e) {
+    const float cos_rotation = setup.cos_rotation;
+    const float sin_rotation = setup.sin_rotation;
+    for (int i = 0; i < lanes; ++i) {
+        e.map_direction.set(i, map_direction(direction.at(i), cos_rotation, sin_rotation));
+    }
+}
+
+KREDA_BATCH_LOOP void scale_channel(int lanes, float factor, raster::Channel3& channel) {
+    for (int i = 0; i < lanes; ++i) channel.set(i, factor * channel.at(i));
+}
+
+/// r = 2 (n.v) n - v, and what the look-ups and F need: v.h, for r is n.v, and the level of this roughness.
+KREDA_BATCH_LOOP void direct_to_mirror(int lanes, LightingChannels& c) {
+    MicrofacetChannels& m = c.microfacet;
+    EnvironmentChannels& e = c.environment;
+    for (int i = 0; i < lanes; ++i) {
+        const float cosine = glm::dot(c.n.at(i), c.v.at(i));
+        e.direction.set(i, (2.0f * cosine) * c.n.at(i) - c.v.at(i));
+        e.lod.set(i, level_of_alpha(m.alpha.at(i)));
+        m.v_dot_h.set(i, raster::saturate(cosine));
+    }
+}
+
+/// ao of a material without a map of it; lamps do not ask for it.
+KREDA_BATCH_LOOP void fill_ao(int lanes, float ao, MicrofacetChannels& m) {
+    for (int i = 0; i < lanes; ++i) m.ao.set(i, ao);
+}
+
+KREDA_BATCH_LOOP void split_sum(int lanes, LightingChannels& c) {
+    const MicrofacetChannels& m = c.microfacet;
+    EnvironmentChannels& e = c.environment;
+    for (int i = 0; i < lanes; ++i) {
+        const glm::vec3 F = m.F.at(i);
+        const glm::vec3 brdf = e.brdf.at(i);
+        const glm::vec3 k_d = diffuse_share(F, m.metallic.at(i));
+        const float ao = m.ao.at(i);
+        e.F.set(i, F);
+        e.diffuse.set(i, k_d * m.albedo.at(i) * e.irradiance.at(i) * (raster::kInvPi * ao));
+        e.specular.set(i, e.prefiltered.at(i) * (m.f0.at(i) * brdf.x + glm::vec3(brdf.y)) * ao);
+    }
+}
+
+/// What bounces between facets before it leaves: Kulla and Conty's lobe under light from all sides
+///   F_ms (1 - (A + B)) E / pi,   since the integral of (1 - E(n.l)) (n.l) / (pi (1 - E_avg)) is 1
+KREDA_BATCH_LOOP void add_bounces(int lanes, const CookTorranceSetup& setup, LightingChannels& c) {
+    const glm::vec3 shift = setup.f_avg_shift;
+    const MicrofacetChannels& m = c.microfacet;
+    EnvironmentChannels& e = c.environment;
+    for (int i = 0; i < lanes; ++i) {
+        const glm::vec3 brdf = e.brdf.at(i);
+        const glm::vec3 f0 = m.f0.at(i);
+        const glm::vec3 F_ms{multiple_scattering_color(average_schlick(f0.x) + shift.x, brdf.z),
+                             multiple_scattering_color(average_schlick(f0.y) + shift.y, brdf.z),
+                             multiple_scattering_color(average_schlick(f0.z) + shift.z, brdf.z)};
+        const float lost = raster::saturate(1.0f - (brdf.x + brdf.y));
+        const glm::vec3 bounced = F_ms * e.irradiance.at(i) * (lost * raster::kInvPi * m.ao.at(i));
+        e.specular.set(i, e.specular.at(i) + bounced);
+    }
+}
+
+KREDA_BATCH_LOOP void reflect_diffusely(int lanes, const glm::vec3& diffuse, LightingChannels& c) {
+    const glm::vec3 m_D = diffuse;
+    EnvironmentChannels& e = c.environment;
+    for (int i = 0; i < lanes; ++i) {
+        e.diffuse.set(i, m_D * e.irradiance.at(i) * raster::kInvPi);
+        e.specular.set(i, glm::vec3(0.0f));
+    }
+}
+
+KREDA_BATCH_LOOP void reflect_diffusely_from_map(int lanes, LightingChannels& c) {
+    EnvironmentChannels& e = c.environment;
+    for (int i = 0; i < lanes; ++i) {
+        e.diffuse.set(i, c.m_D.at(i) * e.irradiance.at(i) * raster::kInvPi);
+        e.specular.set(i, glm::vec3(0.0f));
+    }
+}
+
+KREDA_BATCH_LOOP void add_to_ambient(int lanes, LightingChannels& c) {
+    const EnvironmentChannels& e = c.environment;
+    for (int i = 0; i < lanes; ++i) c.ambient.set(i, c.ambient.at(i) + e.diffuse.at(i) + e.specular.at(i));
+}
+
+void find_irradiance(int lanes, const EnvironmentSetup& setup, LightingChannels& c) {
+    EnvironmentChannels& e = c.environment;
+    turn_to_maps(lanes, setup, c.n, e);
+    if (setup.maps->sh9)
+        irradiance_of_sh9(*setup.maps->sh9, lanes, e.map_direction, e.irradiance);
+    else
+        sample_level(setup.maps->irradiance, 0, lanes, e.map_direction, e.scratch, e.irradiance);
+    scale_channel(lanes, setup.intensity, e.irradiance);
+}
+
+/// P along channels.environment.map_direction; without a map of the roughness one level serves all points.
+void find_prefiltered(int lanes, const MaterialSetup& material, const EnvironmentSetup& setup, EnvironmentChannels& e) {
+    const CubeMap& map = setup.maps->prefiltered;
+    if (material.maps.roughness.texture) {
+        sample_trilinear(map, lanes, e.map_direction, e.lod, e.scratch, e.prefiltered);
+    } else {
+        const float lod = level_of_alpha(material.cook_torrance.surface.alpha);
+        sample_trilinear(map, lanes, e.map_direction, lod, e.scratch, e.prefiltered);
+    }
+    scale_channel(lanes, setup.intensity, e.prefiltered);
+}
+
+void find_split_sum(int count, const MaterialSetup& material, const EnvironmentSetup& setup, LightingChannels& c) {
+    const int lanes = lanes_for(count);
+    const CookTorranceSetup& surface = material.cook_torrance;
+    EnvironmentChannels& e = c.environment;
+    find_irradiance(lanes, setup, c);
+    direct_to_mirror(lanes, c);
+    turn_to_maps(lanes, setup, e.direction, e);
+    find_prefiltered(lanes, material, setup, e);
+    const BrdfMap* map = find_brdf(*setup.maps, {surface.distribution, surface.geometry});
+    KREDA_EXPECT(map != nullptr);
+    look_up_brdf(*map, lanes, c.microfacet.n_dot_v, c.microfacet.roughness, e.scratch, e.brdf);
+    evaluate_fresnel(count, surface, c.microfacet);
+    split_sum(lanes, c);
+    if (surface.energy_compensation == EnergyCompensation::kulla_conty) add_bounces(lanes, surface, c);
+}
+
+// ---------------------------------------------------------------------------------------- the integral itself
+
+KREDA_BATCH_LOOP void start_reference(int lanes, EnvironmentChannels& e) {
+    for (int i = 0; i < lanes; ++i) {  // not vectorized: GCC makes it calls of memset
+        e.diffuse.set(i, glm::vec3(0.0f));
+        e.specular.set(i, glm::vec3(0.0f));
+    }
+}
+
+/// l of sample u: v mirrored in a facet that v sees.
+KREDA_BATCH_LOOP void choose_mirrored(int lanes, const glm::vec2& u, LightingChannels& c) {
+    const glm::vec2 point = u;
+    for (int i = 0; i < lanes; ++i) {
+        const Frame frame = frame_around(c.n.at(i));
+        const glm::vec3 v = to_surface(frame, c.v.at(i));
+        const glm::vec3 seen{v.x, v.y, v.z > 1e-4f ? v.z : 1e-4f};
+        const glm::vec3 l = mirrored(seen, visible_half_vector(point, seen, c.microfacet.alpha.at(i)));
+        set_direction_to_light(c, i, unit(to_world(frame, l)));
+    }
+}
+
+/// l of sample u, by its cosine.
+KREDA_BATCH_LOOP void choose_by_cosine(int lanes, const glm::vec2& u, LightingChannels& c) {
+    const glm::vec3 around = cosine_direction(u);
+    for (int i = 0; i < lanes; ++i) { set_direction_to_light(c, i, unit(to_world(frame_around(c.n.at(i)), around))); }
+}
+
+KREDA_BATCH_LOOP void add_specular_sample(int lanes, float share, LightingChannels& c) {
+    const MicrofacetChannels& m = c.microfacet;
+    EnvironmentChannels& e = c.environment;
+    for (int i = 0; i < lanes; ++i) {
+        const float weight = visible_weight(m, i) * (share * m.ao.at(i));
+        e.specular.set(i, e.specular.at(i) + e.prefiltered.at(i) * m.F.at(i) * weight);
+    }
+}
+
+/// k_d c / pi L (n.l) / p  with  p = n.l / pi.
+KREDA_BATCH_LOOP void add_diffuse_sample(int lanes, float share, LightingChannels& c) {
+    const MicrofacetChannels& m = c.microfacet;
+    EnvironmentChannels& e = c.environment;
+    for (int i = 0; i < lanes; ++i) {
+        const glm::vec3 k_d = diffuse_share(m.F.at(i), m.metallic.at(i));
+        e.diffuse.set(i, e.diffuse.at(i) + k_d * m.albedo.at(i) * e.prefiltered.at(i) * (share * m.ao.at(i)));
+    }
+}
+
+KREDA_BATCH_LOOP void add_irradiance_sample(int lanes, float share, EnvironmentChannels& e) {
+    for (int i = 0; i < lanes; ++i)
+        e.irradiance.set(i, e.irradiance.at(i) + e.prefiltered.at(i) * (share * raster::kPi));
+}
+
+KREDA_BATCH_LOOP void start_irradiance(int lanes, EnvironmentChannels& e) {
+    for (int i = 0; i < lanes; ++i) {  // not vectorized: GCC makes it calls of memset
+        e.irradiance.set(i, glm::vec3(0.0f));
+    }
+}
+
+/// F_ms f_ms L (n.l) / p
+KREDA_BATCH_LOOP void add_bounced_sample(int lanes, float share, const CookTorranceSetup& setup, LightingChannels& c) {
+    const MicrofacetChannels& m = c.microfacet;
+    EnvironmentChannels& e = c.environment;
+    for (int i = 0; i < lanes; ++i) {  // not vectorized: an option of the reference, and most of it are look-ups
+        MicrofacetSurface surface;
+        surface.f0 = m.f0.at(i);
+        surface.roughness = m.roughness.at(i);
+        const float n_dot_l = m.n_dot_l.at(i) > 1e-6f ? m.n_dot_l.at(i) : 1e-6f;
+        const glm::vec3 f_ms = compensation_term(setup, surface, n_dot_l, m.n_dot_v.at(i)) * (raster::kPi / n_dot_l);
+        e.specular.set(i, e.specular.at(i) + f_ms * e.prefiltered.at(i) * (share * m.ao.at(i)));
+    }
+}
+
+void find_reference(int count, const CookTorranceSetup& surface, const EnvironmentSetup& setup, LightingChannels& c) {
+    const int lanes = lanes_for(count);
+    const float share = 1.0f / static_cast<float>(setup.reference_samples);
+    start_reference(lanes, c.environment);
+    for (int k = 0; k < setup.reference_samples; ++k) {
+        const glm::vec2 u = hammersley(k, setup.reference_samples);
+        choose_mirrored(lanes, u, c);
+        evaluate_microfacets(count, surface, LightKind::image, c);
+        look_at_environment(count, setup, c.l, c.environment);
+        add_specular_sample(lanes, share, c);
+        choose_by_cosine(lanes, u, c);
+        evaluate_microfacets(count, surface, LightKind::image, c);
+        look_at_environment(count, setup, c.l, c.environment);
+        add_diffuse_sample(lanes, share, c);
+        if (surface.energy_compensation == EnergyCompensation::kulla_conty)
+            add_bounced_sample(lanes, share, surface, c);
+    }
+}
+
+void find_reference_irradiance(int count, const EnvironmentSetup& setup, LightingChannels& c) {
+    const int lanes = lanes_for(count);
+    start_irradiance(lanes, c.environment);
+    for (int k = 0; k < setup.reference_samples; ++k) {
+        choose_by_cosine(lanes, hammersley(k, setup.reference_samples), c);
+        look_at_environment(count, setup, c.l, c.environment);
+        add_irradiance_sample(lanes, 1.0f / static_cast<float>(setup.reference_samples), c.environment);
+    }
+}
+
+}  // namespace
+
+void look_at_environment(int count, const EnvironmentSetup& setup, const raster::Channel3& direction,
+                         EnvironmentChannels& channels) {
+    const int lanes = lanes_for(count);
+    turn_to_maps(lanes, setup, direction, channels);
+    sample_level(setup.maps->prefiltered, 0, lanes, channels.map_direction, channels.scratch, channels.prefiltered);
+    scale_channel(lanes, setup.intensity, channels.prefiltered);
+}
+
+void add_environment(const raster::Fragments& fragments, const MaterialSetup& material, const EnvironmentSetup& setup,
+                     LightingChannels& channels) {
+    const int count = fragments.count;
+    const int lanes = lanes_for(count);
+    const bool exact = setup.reference_samples > 0;
+    switch (material.material.model) {
+        case ReflectionModel::unlit: return;
+        case ReflectionModel::cook_torrance:
+            if (!material.maps.ao.texture) fill_ao(lanes, material.material.cook_torrance.ao, channels.microfacet);
+            if (exact)
+                find_reference(count, material.cook_torrance, setup, channels);
+            else
+                find_split_sum(count, material, setup, channels);
+            break;
+        default:
+            if (exact)
+                find_reference_irradiance(count, setup, channels);
+            else
+                find_irradiance(lanes, setup, channels);
+            if (material.maps.diffuse.texture)
+                reflect_diffusely_from_map(lanes, channels);
+            else
+                reflect_diffusely(lanes, material.material.phong.diffuse, channels);
+    }
+    add_to_ambient(lanes, channels);
+}
+
+}  // namespace kreda::lighting

@@ -1,0 +1,36 @@
+// Light from the environment at a batch of points: the split sum, or the integral itself by many samples.
+#pragma once
+
+#include <glm/vec3.hpp>
+
+#include "lighting/batch/channels.hpp"
+#include "lighting/environment/environment.hpp"
+#include "raster/fragments.hpp"
+
+namespace kreda::lighting {
+
+struct MaterialSetup;
+
+/// The environment as it stands in the scene.
+struct EnvironmentSetup {
+    const EnvironmentMaps* maps = nullptr;  ///< nullptr: there is none
+    float cos_rotation = 1.0f;              ///< of the environment about +y
+    float sin_rotation = 0.0f;
+    float intensity = 1.0f;
+    int reference_samples = 0;  ///< 0: the split sum; else samples a point of the integral itself
+};
+
+/// What the environment adds to channels.ambient, after start_lighting and before the lights.
+///   cook_torrance   ao (k_d c E / pi + P (F0 A + B)),   k_d = (1 - F(n.v))(1 - metallic)           Karis 2013;
+///   Gelemanovic 2018, 3 Lambert and the other empirical models   m_D E / pi: diffuse light only, their highlights are
+///   made for lamps
+/// E is the irradiance on n, P the prefiltered radiance from r = 2 (n.v) n - v. With reference_samples the two
+/// integrals themselves: facets seen by v (GGX) for the highlight, directions by their cosine for the rest.
+void add_environment(const raster::Fragments& fragments, const MaterialSetup& material, const EnvironmentSetup& setup,
+                     LightingChannels& channels);
+
+/// Radiance from these directions (world space, any length) into channels.prefiltered.
+void look_at_environment(int count, const EnvironmentSetup& setup, const raster::Channel3& direction,
+                         EnvironmentChannels& channels);
+
+}  // namespace kreda::lighting

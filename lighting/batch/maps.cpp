@@ -1,0 +1,116 @@
+#include "lighting/batch/maps.hpp"
+
+#include <array>
+
+#include "lighting/normal_map.hpp"
+#include "raster/platform.hpp"
+#include "raster/texture_passes.hpp"
+
+namespace kreda::lighting {
+
+namespace {
+
+using raster::Channel;
+using raster::Channel3;
+using raster::Fragments;
+using raster::lanes_for;
+
+raster::TextureLookup lookup_of(const MaterialMaps& maps) {
+    return {maps.filter, maps.wrap, maps.scale};
+}
+
+void find_level(const Fragments& fragments, const raster::Texture& texture, const MaterialMaps& maps, Channel& level) {
+    if (maps.filter == TextureFilter::trilinear) find_levels(fragments, texture, lookup_of(maps), level);
+}
+
+void read_color(const Fragments& fragments, const Map& map, const MaterialMaps& maps, Channel& level, Channel3& out) {
+    if (!map.texture) return;
+    find_level(fragments, *map.texture, maps, level);
+    sample_color(fragments, level, *map.texture, lookup_of(maps), out);
+}
+
+void read_value(const Fragments& fragments, const Map& map, const MaterialMaps& maps, Channel& level, Channel& out) {
+    if (!map.texture) return;
+    find_level(fragments, *map.texture, maps, level);
+    sample_value(fragments, level, *map.texture, lookup_of(maps), out);
+}
+
+/// F0 and alpha of the points' own albedo, metallic and roughness.
+KREDA_BATCH_LOOP void derive_surface(int lanes, bool has_index, const glm::vec3& f0_of_index, MicrofacetChannels& m) {
+    const bool keep = has_index;
+    const glm::vec3 f0 = f0_of_index;
+    for (int i = 0; i < lanes; ++i) {
+        const glm::vec3 from_albedo = base_reflectivity(m.albedo.at(i), m.metallic.at(i));
+        m.f0.set(i, keep ? f0 : from_albedo);
+        m.alpha.set(i, alpha_from_roughness(m.roughness.at(i)));
+    }
+}
+
+KREDA_BATCH_LOOP void bend(const Fragments& f, int lanes, float green, LightingChannels& c) {
+    const float up = green;
+    for (int i = 0; i < lanes; ++i) {
+        const glm::vec3 stored = c.map_normal.at(i);
+        const glm::vec3 m(stored.x, up * stored.y, stored.z);
+        c.n.set(i, bend_normal(f.normal.at(i), f.tangent.at(i), f.tangent_side.at(i), m));
+    }
+}
+
+}  // namespace
+
+std::span<const MapUse> map_uses() {
+    static constexpr std::array<MapUse, 6> kUses = {{
+        {"albedo", MapKind::color, &MaterialMaps::albedo},
+        {"diffuse", MapKind::color, &MaterialMaps::diffuse},
+        {"metallic", MapKind::value, &MaterialMaps::metallic},
+        {"roughness", MapKind::value, &MaterialMaps::roughness},
+        {"ao", MapKind::value, &MaterialMaps::ao},
+        {"normal", MapKind::normal, &MaterialMaps::normal},
+    }};
+    return kUses;
+}
+
+bool reads_map(ReflectionModel model, const MapUse& use) {
+    if (use.kind == MapKind::normal) return model != ReflectionModel::unlit;
+    const bool is_empirical = use.map == &MaterialMaps::diffuse;
+    return is_empirical == (model != ReflectionModel::cook_torrance);
+}
+
+MaterialMaps maps_in_use(const Material& material) {
+    MaterialMaps maps = material.maps;
+    for (const MapUse& use : map_uses()) {
+        const bool used = (maps.*use.map).texture && reads_map(material.model, use);
+        if (!used) maps.*use.map = {};
+    }
+    return maps;
+}
+
+MapNeeds needs_of(const MaterialMaps& maps) {
+    MapNeeds needs;
+    for (const MapUse& use : map_uses()) {
+        if (!(maps.*use.map).texture) continue;
+        needs.uv = true;
+        needs.uv_steps |= maps.filter == TextureFilter::trilinear;
+        needs.tangent |= use.kind == MapKind::normal;
+    }
+    return needs;
+}
+
+void read_maps(const Fragments& fragments, const MaterialMaps& maps, const CookTorranceSetup& setup,
+               LightingChannels& channels) {
+    MicrofacetChannels& m = channels.microfacet;
+    read_color(fragments, maps.normal, maps, channels.level, channels.map_normal);
+    read_value(fragments, maps.ao, maps, channels.level, m.ao);
+    read_value(fragments, maps.roughness, maps, channels.level, m.roughness);
+    read_value(fragments, maps.metallic, maps, channels.level, m.metallic);
+    read_color(fragments, maps.albedo, maps, channels.level, m.albedo);
+    read_color(fragments, maps.diffuse, maps, channels.level, channels.m_D);
+    if (!maps.albedo.texture && !maps.metallic.texture && !maps.roughness.texture) return;
+    derive_surface(lanes_for(fragments.count), setup.has_index, setup.surface.f0, m);
+}
+
+void bend_normals(const Fragments& fragments, const MaterialMaps& maps, LightingChannels& channels) {
+    if (!maps.normal.texture) return;
+    bend(fragments, lanes_for(fragments.count), maps.normal_y == NormalMapY::up ? 1.0f : -1.0f, channels);
+}
+
+}  // namespace kreda::lighting

@@ -1,0 +1,54 @@
+// Maps: what varies over a surface, read from textures: albedo, metallic, roughness, ao, diffuse, normal.
+#pragma once
+
+#include <span>
+#include <string_view>
+
+#include "lighting/batch/channels.hpp"
+#include "lighting/cook_torrance.hpp"
+#include "lighting/material.hpp"
+#include "raster/fragments.hpp"
+
+namespace kreda::lighting {
+
+/// What the values of a map's file mean.
+enum class MapKind {
+    color,  ///< 3 channels; integers are sRGB
+    value,  ///< the first channel alone, linear
+    normal  ///< 3 channels, linear, 0..1 stands for -1..1
+};
+
+/// A map that a material may have.
+struct MapUse {
+    std::string_view name;  ///< "albedo"; the key of a scene file is "albedo_map"
+    MapKind kind = MapKind::value;
+    Map MaterialMaps::*map = nullptr;
+};
+
+/// All of them.
+[[nodiscard]] std::span<const MapUse> map_uses();
+
+/// Whether a model reads a map. One that it does not read is never looked at, nor loaded.
+[[nodiscard]] bool reads_map(ReflectionModel model, const MapUse& use);
+
+/// The maps that the material's model reads and whose texels are there; the others are empty.
+[[nodiscard]] MaterialMaps maps_in_use(const Material& material);
+
+/// Which attributes reading these maps asks for.
+struct MapNeeds {
+    bool uv = false;
+    bool uv_steps = false;  ///< trilinear: the level comes from them
+    bool tangent = false;   ///< normal map
+};
+[[nodiscard]] MapNeeds needs_of(const MaterialMaps& maps);
+
+/// Look up the maps at every point: channels.m_D, channels.map_normal, and albedo, metallic, roughness, ao of
+/// channels.microfacet (f0 and alpha follow; call it after fill_surface). channels.level is that of the color map, or
+/// of another where there is none.
+void read_maps(const raster::Fragments& fragments, const MaterialMaps& maps, const CookTorranceSetup& setup,
+               LightingChannels& channels);
+
+/// channels.n from the interpolated normal, the tangent and channels.map_normal.
+void bend_normals(const raster::Fragments& fragments, const MaterialMaps& maps, LightingChannels& channels);
+
+}  // namespace kreda::lighting

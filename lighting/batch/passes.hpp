@@ -1,0 +1,74 @@
+// Lighting a batch of points: one pass after another, each a loop over one formula, each leaving a named channel.
+#pragma once
+
+#include <span>
+
+#include <glm/vec3.hpp>
+
+#include "lighting/batch/channels.hpp"
+#include "lighting/batch/environment_passes.hpp"
+#include "lighting/batch/maps.hpp"
+#include "lighting/cook_torrance.hpp"
+#include "lighting/fog.hpp"
+#include "lighting/light.hpp"
+#include "lighting/material.hpp"
+#include "raster/fragments.hpp"
+
+namespace kreda::lighting {
+
+/// A material made ready for a frame: what its model computes once.
+struct MaterialSetup {
+    Material material;
+    CookTorranceSetup cook_torrance;  ///< only for model = cook_torrance
+    MaterialMaps maps;                ///< those that its model reads
+    MapNeeds map_needs;
+};
+
+[[nodiscard]] MaterialSetup prepare(const Material& material);
+
+/// What is the same for all points of a frame.
+struct LightingSetup {
+    glm::vec3 eye{0.0f};        ///< world space
+    glm::vec3 forward{0.0f};    ///< unit, into the scene, world space
+    bool orthographic = false;  ///< then v is the same everywhere: -forward
+    glm::vec3 ambient{0.0f};    ///< s_A
+    std::span<const LightSetup> lights;
+    EnvironmentSetup environment;
+    Fog fog;
+};
+
+// The lecture's equation,  radiance = ambient + sum over lights of shadow (diffuse + specular),  is these in turn:
+// start_lighting; add_environment where there is one; for each light sample_light, shadow_light where it casts a
+// shadow, add_reflection; sum_terms. scene/render/shade.cpp runs them.
+
+/// What the lights will need: n, v, the material at every point; ambient = s_A m_A + m_E; nothing reflected yet.
+/// Reads fragments.position, fragments.normal, and what material.map_needs says.
+void start_lighting(const raster::Fragments& fragments, const MaterialSetup& material, const LightingSetup& setup,
+                    LightingChannels& channels);
+
+/// l, irradiance and n.l of one light at every point. False: it shines on the back of them all (n.l <= 0) and adds
+/// nothing.
+bool sample_light(const raster::Fragments& fragments, const LightSetup& light, LightingChannels& channels);
+
+/// What a shadow leaves of that light:  irradiance = shadow x irradiance.
+void shadow_light(int count, LightingChannels& channels);
+
+/// Add what the material reflects of that light to diffuse and specular.
+void add_reflection(int count, const MaterialSetup& material, LightingChannels& channels);
+
+/// radiance = ambient + diffuse + specular
+void sum_terms(int count, LightingChannels& channels);
+
+/// Instead of all that where the points were lit before (at vertices, once a triangle): radiance = fragments.color.
+void copy_color(const raster::Fragments& fragments, LightingChannels& channels);
+
+/// The fog factor of each point from its position.
+void fog_factors(const raster::Fragments& fragments, const LightingSetup& setup, LightingChannels& channels);
+
+/// Instead of fog_factors where the factor was computed at the vertices: f = fragments.fog.
+void copy_fog(const raster::Fragments& fragments, LightingChannels& channels);
+
+/// radiance = f radiance + (1 - f) fog colour.
+void apply_fog(int count, const glm::vec3& fog_color, LightingChannels& channels);
+
+}  // namespace kreda::lighting

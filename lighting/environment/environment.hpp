@@ -1,0 +1,55 @@
+// Light from an image: the maps that a scene's environment is baked into, each only if something asks for it.
+#pragma once
+
+#include <optional>
+#include <vector>
+
+#include "lighting/environment/brdf_map.hpp"
+#include "lighting/environment/cube_map.hpp"
+#include "lighting/environment/irradiance.hpp"
+#include "lighting/environment/prefilter.hpp"
+#include "lighting/material.hpp"
+
+namespace kreda::lighting {
+
+enum class IrradianceForm { map, sh9 };
+
+/// A pair of terms whose scale and bias are one BRDF map.
+struct BrdfKind {
+    Distribution distribution = Distribution::ggx;
+    Geometry geometry = Geometry::schlick_ggx;
+
+    bool operator==(const BrdfKind&) const = default;
+};
+
+/// What a scene asks of its environment.
+struct EnvironmentNeeds {
+    bool mirror = false;      ///< radiance by direction: background, reference
+    bool blurred = false;     ///< specular reflection by the split sum
+    bool irradiance = false;  ///< diffuse reflection by the split sum
+    IrradianceForm form = IrradianceForm::map;
+    std::vector<BrdfKind> brdf;  ///< one for each kind of specular material, each once
+
+    [[nodiscard]] bool any() const {
+        return mirror || blurred || irradiance;
+    }
+    bool operator==(const EnvironmentNeeds&) const = default;
+};
+
+/// The maps. Empty: nothing asked for them.
+struct EnvironmentMaps {
+    CubeMap prefiltered;     ///< level 0 is the environment itself
+    CubeMap irradiance;      ///< E, one level
+    std::optional<Sh9> sh9;  ///< E as a polynomial, instead of the map
+    std::vector<BrdfMap> brdf;
+};
+
+/// Bake what is asked for. `radiance` has all its mip levels; it may be empty where only BRDF maps are asked for.
+/// `samples`: of the roughest level (PrefilterSettings).
+[[nodiscard]] EnvironmentMaps bake_environment(const CubeMap& radiance, const EnvironmentNeeds& needs, int samples,
+                                               const Progress& progress = {});
+
+/// The map of a kind, or nullptr.
+[[nodiscard]] const BrdfMap* find_brdf(const EnvironmentMaps& maps, const BrdfKind& kind);
+
+}  // namespace kreda::lighting

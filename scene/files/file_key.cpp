@@ -1,0 +1,39 @@
+#include "scene/files/file_key.hpp"
+
+#include <filesystem>
+
+namespace kreda::scene {
+
+namespace {
+
+namespace fs = std::filesystem;
+
+/// Names of image files beside a path that is not there.
+std::vector<std::string> neighbours(const fs::path& path) {
+    std::vector<std::string> names;
+    std::error_code failed;
+    const fs::path folder = path.parent_path().empty() ? fs::path(".") : path.parent_path();
+    for (fs::directory_iterator it(folder, failed), end; !failed && it != end && names.size() < 500;
+         it.increment(failed)) {
+        names.push_back(it->path().filename().string());
+    }
+    return names;
+}
+
+}  // namespace
+
+std::string path_in(const std::string& folder, const std::string& name) {
+    return (fs::path(folder) / name).lexically_normal().string();
+}
+
+std::string existing_file(const Value& key, const std::string& folder) {
+    const std::string path = path_in(folder, key.text);
+    std::error_code failed;
+    if (fs::is_regular_file(path, failed)) return path;
+    const std::string what = fs::is_directory(path, failed) ? " is a folder, not an image file" : " is not there";
+    const std::string near = nearest_word(fs::path(path).filename().string(), neighbours(path));
+    throw UserError(key.place, in_quotes(key.key) + ": " + in_quotes(path) + what +
+                                   (near.empty() ? "" : "; did you mean " + in_quotes(near) + "?"));
+}
+
+}  // namespace kreda::scene

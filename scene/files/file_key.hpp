@@ -1,0 +1,16 @@
+// Keys of a scene file that name files.
+#pragma once
+
+#include <string>
+
+#include "scene/files/toml_tree.hpp"
+
+namespace kreda::scene {
+
+/// A name of a scene file as a path; relative ones start at `folder`.
+[[nodiscard]] std::string path_in(const std::string& folder, const std::string& name);
+
+/// The path that a key names. Throws UserError at the key's place, with the nearest name, if no such file is there.
+[[nodiscard]] std::string existing_file(const Value& key, const std::string& folder);
+
+}  // namespace kreda::scene

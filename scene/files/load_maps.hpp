@@ -1,0 +1,26 @@
+// Textures from files: decoded once for what their map means, shared by all maps of the same file.
+#pragma once
+
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "lighting/batch/maps.hpp"
+#include "raster/texture.hpp"
+#include "scene/scene.hpp"
+
+namespace kreda::scene {
+
+/// Load an image as a map: color from sRGB (8 or 16 bits; floating-point files are linear already), value the first
+/// channel, normal from 0..1 to -1..1 (lighting::normal_component). Grey files give three equal channels where three
+/// are needed; alpha is left out, colours are not multiplied by it. Colours and values outside 0..1 are clamped and
+/// what is not finite becomes 0, with a warning. Throws UserError.
+[[nodiscard]] std::shared_ptr<const raster::Texture> load_texture(const std::string& path, lighting::MapKind kind,
+                                                                  bool with_pyramid,
+                                                                  std::vector<std::string>& warnings);
+
+/// Load the maps that visible materials read, each file once, and give meshes the tangents that normal maps need.
+/// Files that no visible part needs are not touched. Texels that are there already stay.
+void load_maps(Scene& scene);
+
+}  // namespace kreda::scene

@@ -1,0 +1,31 @@
+// MTL files: tinyobjloader reads them after a scan that checks the numbers and the paths.
+#pragma once
+
+#include <string>
+#include <unordered_map>
+#include <vector>
+
+#include "lighting/material.hpp"
+#include "scene/files/obj_text.hpp"
+
+namespace kreda::scene {
+
+/// The materials of all MTL files of a mesh. Where two have one name the first holds.
+struct MtlMaterials {
+    std::vector<lighting::Material> materials;
+    std::unordered_map<std::string, int> index_of_name;
+    std::vector<std::string> warnings;
+};
+
+/// Where the paths in an MTL may lead.
+struct MtlPaths {
+    std::string root;  ///< the OBJ's folder
+    bool allow_outside = false;
+};
+
+/// Add the materials of one file. Ka Kd Ks Ke Ns become a blinn_phong material (lambert where Ks is absent or 0, or
+/// illum is 1); Pr, Pm or a map of either makes it cook_torrance with albedo Kd. What is not given keeps
+/// lighting::Material's default.
+void add_mtl(const ObjText& text, const MtlPaths& paths, MtlMaterials& into);
+
+}  // namespace kreda::scene

@@ -1,0 +1,214 @@
+#include "scene/files/obj_text.hpp"
+
+#include <algorithm>
+#include <charconv>
+#include <cmath>
+#include <filesystem>
+#include <fstream>
+#include <limits>
+#include <system_error>
+#include <utility>
+
+namespace kreda::scene {
+
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr std::uintmax_t kMaxBytes = std::uintmax_t(1) << 30;
+
+bool is_line_end(char c) {
+    return c == '\n' || c == '\r';
+}
+bool is_blank(char c) {
+    return c == ' ' || c == '\t';
+}
+
+std::string read_bytes(const std::string& path, std::size_t size) {
+    std::ifstream stream(path, std::ios::binary);
+    std::string bytes(size, '\0');
+    stream.read(bytes.data(), static_cast<std::streamsize>(size));
+    if (!stream) throw UserError(Place{path}, "cannot be read; check its permissions");
+    return bytes;
+}
+
+bool has_negative_exponent(std::string_view number) {
+    return number.find("e-") != number.npos || number.find("E-") != number.npos;
+}
+
+}  // namespace
+
+ObjText check_obj_text(const std::string& file, std::string bytes) {
+    const std::string_view start = std::string_view(bytes).substr(0, 2);
+    if (start == "\xff\xfe" || start == "\xfe\xff") {
+        throw UserError(Place{file}, "is UTF-16 text; save it as UTF-8");
+    }
+    if (std::string_view(bytes).substr(0, 3) == "\xef\xbb\xbf") bytes.erase(0, 3);
+    ObjText text{file, std::move(bytes)};
+    const std::size_t zero = text.text.find('\0');
+    if (zero != std::string::npos) {
+        throw UserError(place_at(text, zero), "is binary data (a zero byte); OBJ and MTL are UTF-8 text");
+    }
+    return text;
+}
+
+ObjText read_obj_text(const std::string& path) {
+    std::error_code failed;
+    const fs::file_status status = fs::status(path, failed);
+    if (!fs::exists(status)) throw UserError(Place{path}, "no such file");
+    if (fs::is_directory(status)) throw UserError(Place{path}, "is a folder; a file is needed");
+    if (!fs::is_regular_file(status)) throw UserError(Place{path}, "is not a regular file");
+    const std::uintmax_t size = fs::file_size(path, failed);
+    if (failed) throw UserError(Place{path}, "cannot be read: " + failed.message());
+    if (size > kMaxBytes) throw UserError(Place{path}, "is larger than 1 GB; reduce the mesh or split it");
+    return check_obj_text(path, read_bytes(path, static_cast<std::size_t>(size)));
+}
+
+void add_warning(std::vector<std::string>& warnings, const ObjText& text, std::size_t offset,
+                 const std::string& message) {
+    constexpr std::size_t kMost = 50;
+    if (warnings.size() < kMost) warnings.push_back(warning_at(text, offset, message));
+    if (warnings.size() == kMost) warnings.push_back(text.file + ": there are more warnings, left out here");
+}
+
+std::string in_quotes(std::string_view token) {
+    constexpr std::size_t kLongest = 40;
+    std::string text = "'";
+    for (const char c : token.substr(0, kLongest)) text += (c >= 0 && c < ' ') ? '?' : c;
+    return text + (token.size() > kLongest ? "...'" : "'");
+}
+
+Place place_at(const ObjText& text, std::size_t offset) {
+    Place place{text.file, 1, 1};
+    for (std::size_t i = 0; i < offset && i < text.text.size(); ++i) {
+        const char c = text.text[i];
+        const bool first_of_crlf = c == '\r' && i + 1 < text.text.size() && text.text[i + 1] == '\n';
+        if (is_line_end(c) && !first_of_crlf) {
+            ++place.line;
+            place.column = 1;
+        } else {
+            ++place.column;
+        }
+    }
+    return place;
+}
+
+std::string warning_at(const ObjText& text, std::size_t offset, const std::string& message) {
+    return UserError(place_at(text, offset), message).what();
+}
+
+/// A backslash that is the last character of its line.
+bool ObjCursor::continues(std::size_t i) const {
+    return at(i) == '\\' && is_line_end(at(i + 1));
+}
+
+bool ObjCursor::ends_token(std::size_t i) const {
+    return is_blank(at(i)) || is_line_end(at(i)) || continues(i);
+}
+
+void ObjCursor::skip_blanks() {
+    while (true) {
+        if (is_blank(at(position_))) {
+            ++position_;
+        } else if (continues(position_)) {
+            const bool crlf = at(position_ + 1) == '\r' && at(position_ + 2) == '\n';
+            position_ = std::min(position_ + (crlf ? 3 : 2), text_.text.size());
+        } else {
+            return;
+        }
+    }
+}
+
+std::string_view ObjCursor::next_token() {
+    skip_blanks();
+    const std::size_t first = position_;
+    while (!ends_token(position_)) ++position_;
+    return std::string_view(text_.text).substr(first, position_ - first);
+}
+
+std::string_view ObjCursor::next_number_token() {
+    skip_blanks();
+    const std::size_t first = position_;
+    while (!ends_token(position_) && at(position_) != '#') ++position_;
+    return std::string_view(text_.text).substr(first, position_ - first);
+}
+
+std::string ObjCursor::rest_of_statement() {
+    std::string rest;
+    for (std::string_view word = next_token(); !word.empty(); word = next_token()) {
+        const std::size_t first = offset_of(word);
+        // Blanks inside a name are part of it; only a continuation's line end becomes one blank.
+        while (is_blank(at(position_))) ++position_;
+        if (!rest.empty() && !is_blank(rest.back())) rest += ' ';
+        rest += text_.text.substr(first, position_ - first);
+    }
+    while (!rest.empty() && is_blank(rest.back())) rest.pop_back();
+    return rest;
+}
+
+void ObjCursor::skip_statement() {
+    const std::string& text = text_.text;
+    while (position_ < text.size() && !is_line_end(text[position_])) {
+        if (continues(position_)) {
+            skip_blanks();
+        } else {
+            ++position_;
+        }
+    }
+    if (at(position_) == '\r' && at(position_ + 1) == '\n') ++position_;
+    position_ = std::min(position_ + 1, text.size());
+}
+
+void ObjCursor::fail(std::string_view token, const std::string& message) const {
+    const std::string found = token.empty() ? "the line ends" : in_quotes(token);
+    throw UserError(place_at(text_, offset_of(token)), found + ": " + message);
+}
+
+double parse_finite(const ObjCursor& cursor, std::string_view token, const char* what) {
+    const std::string expected = std::string("expected ") + what;
+    if (token.empty()) cursor.fail(token, expected);
+    const bool plus = token.front() == '+' && token.size() > 1 && token[1] != '-';
+    double value = 0.0;
+    const char* end = token.data() + token.size();
+    const std::from_chars_result result = std::from_chars(token.data() + (plus ? 1 : 0), end, value);
+    if (result.ec == std::errc::invalid_argument) cursor.fail(token, expected + ", a number");
+    if (result.ptr != end) {
+        const bool comma = *result.ptr == ',';
+        cursor.fail(token,
+                    comma ? expected + "; write decimals with a point, 1.5 and not 1,5" : expected + ", a number");
+    }
+    // Out of range is either far too large or so small that it is 0; a negative exponent tells which.
+    if (result.ec == std::errc::result_out_of_range && has_negative_exponent(token)) return 0.0;
+    if (result.ec == std::errc::result_out_of_range || !std::isfinite(value) ||
+        std::abs(value) > double(std::numeric_limits<float>::max())) {
+        cursor.fail(token, expected + " that is finite, at most 3.4e38");
+    }
+    return value;
+}
+
+std::string folder_of(const std::string& path) {
+    const std::string folder = fs::path(path).parent_path().string();
+    return folder.empty() ? "." : folder;
+}
+
+std::string resolve_named_path(const ObjText& text, std::size_t offset, const std::string& named,
+                               const std::string& root, bool allow_outside) {
+    std::string portable = named;
+    for (char& c : portable) {
+        if (c == '\\') c = '/';
+    }
+    const fs::path path = fs::path(folder_of(text.file)) / portable;
+    if (allow_outside) return path.string();
+    std::error_code failed;
+    const fs::path inside = fs::weakly_canonical(path, failed);
+    const fs::path canonical_root = failed ? fs::path() : fs::weakly_canonical(root, failed);
+    const fs::path relative = failed ? fs::path() : inside.lexically_relative(canonical_root);
+    if (failed || relative.empty() || *relative.begin() == "..") {
+        throw UserError(place_at(text, offset), in_quotes(named) +
+                                                    " is outside the folder of the OBJ file; move it "
+                                                    "there, or allow it with --allow-outside");
+    }
+    return path.string();
+}
+
+}  // namespace kreda::scene

@@ -1,0 +1,90 @@
+// What OBJ and MTL files have in common: reading the text, places in it, its tokens, paths that it names.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "scene/error.hpp"
+
+namespace kreda::scene {
+
+/// A text with the name it has in messages.
+struct ObjText {
+    std::string file;
+    std::string text;
+};
+
+/// Read a whole text file. Refuses folders, devices, files above 1 GB, UTF-16 and binary data; strips a UTF-8
+/// byte-order mark.
+[[nodiscard]] ObjText read_obj_text(const std::string& path);
+
+/// The same checks on bytes that are there already.
+[[nodiscard]] ObjText check_obj_text(const std::string& file, std::string bytes);
+
+/// Line and column of a byte; lines end with \n, \r\n or \r. Counts from the start: for complaints only.
+[[nodiscard]] Place place_at(const ObjText& text, std::size_t offset);
+
+/// "FILE:LINE:COL: message", as UserError writes it.
+[[nodiscard]] std::string warning_at(const ObjText& text, std::size_t offset, const std::string& message);
+
+/// The same onto a list, until the list is long: a broken file must not bury the terminal.
+void add_warning(std::vector<std::string>& warnings, const ObjText& text, std::size_t offset,
+                 const std::string& message);
+
+/// 'token', cut where it is long, control characters made visible.
+[[nodiscard]] std::string in_quotes(std::string_view token);
+
+/// Walks over the text, statement by statement. A statement ends with its line, but a backslash at the end of
+/// the line joins the next one to it.
+class ObjCursor {
+public:
+    explicit ObjCursor(const ObjText& text) : text_(text) {}
+
+    [[nodiscard]] bool at_end() const {
+        return position_ >= text_.text.size();
+    }
+    [[nodiscard]] std::size_t offset() const {
+        return position_;
+    }
+
+    /// The next word of this statement, "" at its end.
+    std::string_view next_token();
+    /// As next_token, but `#` starts a comment: for statements of numbers, where it cannot be part of a name.
+    std::string_view next_number_token();
+    /// What is left of the statement, blanks at both ends removed, continuations turned into blanks.
+    std::string rest_of_statement();
+    /// To the first byte of the next statement.
+    void skip_statement();
+    /// The place of a token that this cursor returned.
+    [[nodiscard]] std::size_t offset_of(std::string_view token) const {
+        return static_cast<std::size_t>(token.data() - text_.text.data());
+    }
+    [[noreturn]] void fail(std::string_view token, const std::string& message) const;
+
+private:
+    void skip_blanks();
+    [[nodiscard]] char at(std::size_t i) const {
+        return i < text_.text.size() ? text_.text[i] : '\n';
+    }
+    [[nodiscard]] bool continues(std::size_t i) const;
+    [[nodiscard]] bool ends_token(std::size_t i) const;
+
+    const ObjText& text_;
+    std::size_t position_ = 0;
+};
+
+/// A finite number within float's range. `what` names it in the message: "an x coordinate".
+double parse_finite(const ObjCursor& cursor, std::string_view token, const char* what);
+
+/// Resolve a path that `text` names, relative to its own folder, with / or \ between folders. Unless `allow_outside`,
+/// a path that ends outside `root` (symbolic links followed) is an error at `offset`.
+[[nodiscard]] std::string resolve_named_path(const ObjText& text, std::size_t offset, const std::string& named,
+                                             const std::string& root, bool allow_outside);
+
+/// The folder of a file: "." where its path names none.
+[[nodiscard]] std::string folder_of(const std::string& path);
+
+}  // namespace kreda::scene

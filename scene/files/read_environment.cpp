@@ -1,0 +1,80 @@
+#include "scene/files/read_environment.hpp"
+
+#include "scene/files/file_key.hpp"
+#include "scene/files/image_file.hpp"
+#include "scene/files/toml_check.hpp"
+
+namespace kreda::scene {
+
+namespace {
+
+constexpr int kLeastWidth = 4;
+
+std::string size_text(const raster::Image& image) {
+    return std::to_string(image.width) + " x " + std::to_string(image.height);
+}
+
+std::string repairs_text(const lighting::EnvironmentRepairs& repairs) {
+    return "holds texels that are no light: " + std::to_string(repairs.negative) + " negative (set to 0), " +
+           std::to_string(repairs.nan) + " not a number (mean of their neighbours), " +
+           std::to_string(repairs.infinite) + " infinite (set to the largest finite one), " +
+           std::to_string(repairs.too_bright) + " too bright (set to 1e9)";
+}
+
+/// The image that a key names. What was wrong with it is a warning.
+std::shared_ptr<const raster::Image> load(const Value& key, const std::string& path,
+                                          std::vector<std::string>& warnings) {
+    const EnvironmentImage loaded =
+        read_environment_image(path, key.place, in_quotes(key.key) + ": " + in_quotes(path) + " ");
+    for (const std::string& remark : loaded.remarks) {
+        warnings.push_back(UserError(key.place, in_quotes(path) + " " + remark).what());
+    }
+    return loaded.image;
+}
+
+}  // namespace
+
+EnvironmentImage read_environment_image(const std::string& path, const Place& place, const std::string& subject) {
+    auto image = std::make_shared<raster::Image>(read_image(path));
+    if (image->width < kLeastWidth || image->height < kLeastWidth / 2) {
+        throw UserError(place, subject + "is " + size_text(*image) +
+                                   " pixels; an equirectangular image is twice as wide as high, e.g. 1024 x 512");
+    }
+    EnvironmentImage loaded;
+    loaded.repairs = lighting::repair_environment(*image);
+    if (image->width != 2 * image->height) {
+        loaded.remarks.push_back("is " + size_text(*image) + ", not twice as wide as high; it is stretched");
+    }
+    if (loaded.repairs.total() > 0) loaded.remarks.push_back(repairs_text(loaded.repairs));
+    loaded.image = std::move(image);
+    return loaded;
+}
+
+EnvironmentSettings read_environment(const Value& table, const std::string& folder,
+                                     std::vector<std::string>& warnings) {
+    const Value* file = find(table, "file");
+    const Value* sky = find(table, "sky");
+    if (!file && !sky) {
+        throw UserError(table.place,
+                        "[environment] needs a file or a sky, e.g. file = \"studio.hdr\" or sky = \"studio\"");
+    }
+    if (file && sky) {
+        throw UserError(file->place, "'file' and 'sky' in [environment] both give the light; remove one of them");
+    }
+    EnvironmentSettings settings;
+    settings.on = true;
+    read_word(table, "sky", settings.sky);
+    read(table, "rotation", settings.rotation_deg);
+    read(table, "intensity", settings.intensity);
+    read_word(table, "irradiance", settings.irradiance);
+    read(table, "samples", settings.samples);
+    read(table, "reference", settings.reference);
+    read(table, "on", settings.on);
+    if (!file) return settings;
+    settings.file = file->text;
+    const std::string path = existing_file(*file, folder);
+    if (settings.on) settings.image = load(*file, path, warnings);
+    return settings;
+}
+
+}  // namespace kreda::scene

@@ -1,0 +1,58 @@
+#include "scene/files/read_maps.hpp"
+
+#include "lighting/batch/maps.hpp"
+#include "scene/files/file_key.hpp"
+#include "scene/files/map_folder.hpp"
+#include "scene/files/toml_check.hpp"
+
+namespace kreda::scene {
+
+namespace {
+
+/// The maps of a folder, under the names that the material's model reads.
+void read_folder(const Value& key, const std::string& folder, lighting::Material& material,
+                 std::vector<std::string>& warnings) {
+    const MapFolder found = find_maps(path_in(folder, key.text));
+    if (!found.problem.empty()) throw UserError(key.place, in_quotes(key.key) + ": " + found.problem);
+    material.maps = found.maps;
+    material.maps.diffuse = found.maps.albedo;
+    if (found.not_used.empty()) return;
+    std::string names;
+    for (const std::string& name : found.not_used) names += (names.empty() ? "" : ", ") + on_one_line(name);
+    warnings.push_back(UserError(key.place, "'maps' does not use " + names).what());
+}
+
+std::string usual_remedy(const lighting::MapUse& use) {
+    if (use.map == &lighting::MaterialMaps::diffuse) return "; its colour is albedo_map";
+    if (use.map == &lighting::MaterialMaps::albedo) return "; its colour is diffuse_map";
+    return "";
+}
+
+void read_map(const Value& key, const lighting::MapUse& use, const std::string& folder, lighting::Material& material,
+              std::vector<std::string>& warnings) {
+    lighting::Map& map = material.maps.*use.map;
+    map.file = existing_file(key, folder);
+    if (reads_map(material.model, use)) return;
+    const std::string model(find_key("material", "model")->words[static_cast<std::size_t>(material.model)]);
+    const std::string what = in_quotes(key.key) + " is not read by model = \"" + model + "\"";
+    warnings.push_back(UserError(key.place, what + usual_remedy(use)).what());
+}
+
+}  // namespace
+
+void read_maps(const Value& table, const std::string& folder, lighting::Material& material,
+               std::vector<std::string>& warnings) {
+    if (const Value* key = find(table, "maps")) read_folder(*key, folder, material, warnings);
+    for (const lighting::MapUse& use : lighting::map_uses()) {
+        const Value* key = find(table, std::string(use.name) + "_map");
+        if (key) read_map(*key, use, folder, material, warnings);
+    }
+    read_word(table, "normal_map_y", material.maps.normal_y);
+    read_word(table, "texture_filter", material.maps.filter);
+    read_word(table, "texture_wrap", material.maps.wrap);
+    if (const Value* scale = find(table, "texture_scale")) {
+        material.maps.scale = {static_cast<float>(scale->items[0].number), static_cast<float>(scale->items[1].number)};
+    }
+}
+
+}  // namespace kreda::scene

@@ -1,0 +1,214 @@
+#include "scene/files/read_objects.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <filesystem>
+#include <map>
+#include <set>
+#include <stdexcept>
+
+#include <glm/ext/matrix_transform.hpp>
+#include <glm/trigonometric.hpp>
+
+#include "raster/normals.hpp"
+#include "raster/shapes.hpp"
+#include "raster/triangle_setup.hpp"
+#include "scene/files/mesh_file.hpp"
+#include "scene/files/toml_check.hpp"
+
+namespace kreda::scene {
+
+namespace {
+
+/// A mesh that several objects may share, and where its own materials stand in Scene::materials.
+struct SharedMesh {
+    std::shared_ptr<const raster::Mesh> mesh;
+    int first_material = 0;
+};
+
+struct ObjectReader {
+    const std::string& folder;
+    const ReadOptions& options;
+    Scene& scene;
+    std::size_t named_materials;               ///< the [[material]]s; those of mesh files come after them
+    int default_material = -1;                 ///< index, -1: not needed so far
+    std::map<std::string, SharedMesh> meshes;  ///< by name and settings
+
+    void read_object(const Value& table);
+    SharedMesh mesh_of(const Value& table);
+    SharedMesh load_file(const std::string& path, Normals normals);
+    int material_named(const Value& name) const;
+    int material_of_none();
+};
+
+std::vector<std::string> built_in_names() {
+    const auto names = raster::shape_names();
+    return {names.begin(), names.end()};
+}
+
+raster::Mesh built_in_mesh(const Value& table, const std::string& name, int detail, Normals normals) {
+    try {
+        raster::Mesh mesh = *raster::make_shape(name, detail);
+        if (normals == Normals::smooth) raster::make_smooth_normals(mesh);
+        if (normals == Normals::flat) raster::make_flat_normals(mesh);
+        return mesh;
+    } catch (const std::invalid_argument& error) { throw UserError(place_of(table, "detail"), error.what()); }
+}
+
+SharedMesh ObjectReader::load_file(const std::string& path, Normals normals) {
+    LoadedMesh loaded = load_mesh_file(path, {normals, options.allow_outside});
+    const SharedMesh shared{std::make_shared<const raster::Mesh>(std::move(loaded.mesh)),
+                            static_cast<int>(scene.materials.size())};
+    scene.warnings.insert(scene.warnings.end(), loaded.warnings.begin(), loaded.warnings.end());
+    scene.materials.insert(scene.materials.end(), loaded.materials.begin(), loaded.materials.end());
+    return shared;
+}
+
+/// What `mesh` names: a built-in shape if there is one of that name, else a file.
+SharedMesh ObjectReader::mesh_of(const Value& table) {
+    std::string name;
+    Normals normals = Normals::file;
+    read(table, "mesh", name);
+    read_word(table, "normals", normals);
+    const std::string with_normals = " normals " + std::to_string(static_cast<int>(normals));
+
+    const std::vector<std::string> shapes = built_in_names();
+    if (std::find(shapes.begin(), shapes.end(), name) != shapes.end()) {
+        int detail = raster::default_detail(name).value();
+        read(table, "detail", detail);
+        SharedMesh& shared = meshes[name + " detail " + std::to_string(detail) + with_normals];
+        if (!shared.mesh) shared.mesh = std::make_shared<raster::Mesh>(built_in_mesh(table, name, detail, normals));
+        return shared;
+    }
+    const std::filesystem::path path = (std::filesystem::path(folder) / name).lexically_normal();
+    std::error_code error;
+    if (!std::filesystem::exists(path, error)) {
+        throw UserError(place_of(table, "mesh"), "there is no mesh file " + in_quotes(path.string()) +
+                                                     did_you_mean(name, shapes, "built-in meshes"));
+    }
+    if (find(table, "detail")) {
+        throw UserError(find(table, "detail")->key_place,
+                        "'detail' is for built-in meshes; " + in_quotes(name) + " is a file, its triangles are fixed");
+    }
+    SharedMesh& shared = meshes[path.string() + with_normals];
+    if (!shared.mesh) shared = load_file(path.string(), normals);
+    return shared;
+}
+
+int ObjectReader::material_named(const Value& name) const {
+    for (std::size_t i = 0; i < named_materials; ++i) {
+        if (scene.materials[i].name == name.text) return static_cast<int>(i);
+    }
+    std::vector<std::string> known;
+    for (std::size_t i = 0; i < named_materials; ++i) known.push_back(scene.materials[i].name);
+    const std::string what = "there is no material " + in_quotes(name.text);
+    if (known.empty()) throw UserError(name.place, what + "; the scene has no [[material]]");
+    throw UserError(name.place, what + did_you_mean(name.text, known, "materials"));
+}
+
+/// The [[material]] called "default", else one with all constants as they are documented.
+int ObjectReader::material_of_none() {
+    if (default_material >= 0) return default_material;
+    const auto begin = scene.materials.begin();
+    const auto end = begin + static_cast<std::ptrdiff_t>(named_materials);
+    const auto is_default = [](const lighting::Material& material) { return material.name == "default"; };
+    const auto found = std::find_if(begin, end, is_default);
+    default_material = static_cast<int>((found == end ? scene.materials.end() : found) - begin);
+    if (found == end) scene.materials.emplace_back();
+    return default_material;
+}
+
+std::vector<bool> hidden_parts(const Value& table, const raster::Mesh& mesh) {
+    std::vector<bool> hidden(mesh.parts.size(), false);
+    const Value* hide = find(table, "hide");
+    if (!hide) return hidden;
+    std::set<std::string> known;
+    for (const raster::MeshPart& part : mesh.parts) known.insert(part.name);
+    for (const Value& name : hide->items) {
+        for (std::size_t i = 0; i < mesh.parts.size(); ++i) {
+            if (mesh.parts[i].name == name.text) hidden[i] = true;
+        }
+        if (known.contains(name.text)) continue;
+        const std::string what = "the mesh has no part " + in_quotes(name.text);
+        throw UserError(name.place, what + did_you_mean(name.text, {known.begin(), known.end()}, "parts"));
+    }
+    return hidden;
+}
+
+glm::mat4 read_placement(const Value& table) {
+    glm::vec3 translate(0.0f);
+    glm::vec3 rotate(0.0f);
+    glm::vec3 scale(1.0f);
+    read(table, "translate", translate);
+    read(table, "rotate", rotate);
+    read(table, "scale", scale);
+    const Value* factor = find(table, "scale");
+    if (factor && factor->items.empty()) scale = glm::vec3(static_cast<float>(factor->number));
+    for (int i = 0; i < 3; ++i) {
+        if (std::abs(scale[i]) >= 1e-9f) continue;
+        throw UserError(factor->place, "'scale' in [[object]] must not be 0: it would flatten the object");
+    }
+    return world_from_object(translate, rotate, scale);
+}
+
+void ObjectReader::read_object(const Value& table) {
+    const Value* name = find(table, "mesh");
+    if (!name || name->text.empty()) {
+        throw UserError(place_of(table, "mesh"),
+                        "an [[object]] needs a mesh, e.g. mesh = \"teapot\" or mesh = \"model.obj\"");
+    }
+    Object object;
+    object.mesh_name = name->text;
+    object.world_from_object = read_placement(table);
+    const Value* material = find(table, "material");
+    const int chosen = material ? material_named(*material) : -1;
+    const SharedMesh shared = mesh_of(table);
+    object.mesh = shared.mesh;
+    for (const raster::MeshPart& part : shared.mesh->parts) {
+        const int own = part.material >= 0 ? shared.first_material + part.material : -1;
+        const int index = chosen >= 0 ? chosen : own;
+        object.part_material.push_back(index >= 0 ? index : material_of_none());
+    }
+    object.part_hidden = hidden_parts(table, *shared.mesh);
+    read(table, "casts_shadow", object.casts_shadow);
+    scene.objects.push_back(std::move(object));
+}
+
+}  // namespace
+
+glm::mat4 world_from_object(glm::vec3 translate, glm::vec3 rotate_deg, glm::vec3 scale) {
+    const glm::dvec3 angle = glm::radians(glm::dvec3(rotate_deg));
+    const glm::dmat4 identity(1.0);
+    const glm::dmat4 t = glm::translate(identity, glm::dvec3(translate));
+    const glm::dmat4 rx = glm::rotate(identity, angle.x, glm::dvec3(1.0, 0.0, 0.0));
+    const glm::dmat4 ry = glm::rotate(identity, angle.y, glm::dvec3(0.0, 1.0, 0.0));
+    const glm::dmat4 rz = glm::rotate(identity, angle.z, glm::dvec3(0.0, 0.0, 1.0));
+    const glm::dmat4 s = glm::scale(identity, glm::dvec3(scale));
+    return glm::mat4(t * rz * ry * rx * s);
+}
+
+namespace {
+
+/// Triangles are numbered chunk by chunk, 2^16 chunks at most, and a chunk holds triangles of one part only.
+void check_parts(const Scene& scene) {
+    std::uint64_t chunks = 0;
+    for (const Object& object : scene.objects) {
+        for (const raster::MeshPart& part : object.mesh->parts)
+            chunks += part.triangle_count / raster::kTrianglesPerChunk + 1;
+    }
+    if (chunks < (std::uint64_t{1} << 16)) return;
+    throw UserError({scene.file}, "the meshes have too many parts or triangles (" + std::to_string(chunks) +
+                                      " chunks of one part; at most 65535); join parts that share a material");
+}
+
+}  // namespace
+
+void read_objects(const Value& root, const std::string& folder, const ReadOptions& options, Scene& scene) {
+    const Value* objects = find(root, "object");
+    if (!objects) return;
+    ObjectReader reader{folder, options, scene, scene.materials.size(), -1, {}};
+    for (const Value& table : objects->items) reader.read_object(table);
+    check_parts(scene);
+}
+
+}  // namespace kreda::scene

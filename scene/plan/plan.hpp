@@ -1,0 +1,81 @@
+// The plan: which passes a scene requires, in order, and why. Nothing else is computed, nothing else is allocated.
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "lighting/batch/passes.hpp"
+#include "raster/fragments.hpp"
+#include "raster/triangle_setup.hpp"
+#include "raster/vertex_stage.hpp"
+#include "scene/plan/shadow_plan.hpp"
+#include "scene/plan/views.hpp"
+#include "scene/scene.hpp"
+
+namespace kreda::scene {
+
+/// Memory that a pass writes. Buffers of one tile or batch exist once a thread.
+struct PlannedBuffer {
+    std::string name;
+    std::uint64_t bytes = 0;
+};
+
+/// What a pass does at most, estimated from counts: see plan_cost.hpp.
+struct PassCost {
+    std::string items;  ///< "vertices", "samples"; empty: not estimated
+    std::uint64_t count = 0;
+    double operations_each = 0.0;
+
+    [[nodiscard]] double operations() const {
+        return static_cast<double>(count) * operations_each;
+    }
+};
+
+struct PlannedPass {
+    std::string name;
+    std::string reason;  ///< what in the scene asks for it
+    std::vector<PlannedBuffer> buffers;
+    PassCost cost = {};
+};
+
+/// A pass that this scene does not need, and what would need it.
+struct LeftOutPass {
+    std::string name;
+    std::string why_not;
+};
+
+struct RenderPlan {
+    raster::Viewport viewport;  ///< the sample grid
+    int samples = 1;            ///< n x n samples a pixel
+    raster::CullMode cull = raster::CullMode::back;
+    raster::AttributeInterpolation interpolation = raster::AttributeInterpolation::perspective;
+    ShadingFrequency frequency = ShadingFrequency::phong;
+    raster::VertexNeeds vertex;      ///< attributes of the vertex streams
+    raster::FragmentNeeds fragment;  ///< attributes that are interpolated for each visible sample
+    std::vector<raster::FragmentNeeds> fragment_of_material;  ///< the same, and what the maps of a material read
+    std::vector<lighting::MaterialSetup> materials;           ///< the scene's, made ready
+    bool has_lights = false;                                  ///< one that is on
+    std::vector<PlannedShadow> shadows;      ///< one for each light that casts shadows onto something seen
+    bool shadows_by_frame = false;           ///< they are found for all visible samples at once, before anything is lit
+    bool shows_blockers = false;             ///< a view asks what blocks the light, and how wide the penumbra is
+    lighting::EnvironmentNeeds environment;  ///< what must be baked before the first frame
+    bool lit_by_environment = false;
+    bool fog_at_vertices = false;
+    bool fog_at_pixels = false;
+    std::vector<const View*> views;  ///< written beside the film
+    std::vector<PlannedPass> passes;
+    std::vector<LeftOutPass> left_out;
+};
+
+/// What drawing the scene requires, and these views of it.
+[[nodiscard]] RenderPlan make_plan(const Scene& scene, const std::vector<const View*>& views = {});
+
+/// Does anything in the scene write this view?
+[[nodiscard]] bool can_show(const RenderPlan& plan, const Scene& scene, const View& view);
+
+/// The plan as text for people: a line a pass with its reason, the bytes of its buffers and its cost; at last their
+/// sums.
+[[nodiscard]] std::string describe(const RenderPlan& plan, bool with_left_out);
+
+}  // namespace kreda::scene

@@ -1,0 +1,114 @@
+#include "scene/plan/shadow_words.hpp"
+
+#include <algorithm>
+
+#include "raster/mesh_checks.hpp"
+#include "scene/extent.hpp"
+#include "scene/plan/shadow_cost.hpp"
+#include "shadows/bvh.hpp"
+#include "shadows/light_grid.hpp"
+
+namespace kreda::scene {
+
+namespace {
+
+using shadows::ShadowMethod;
+
+std::string count_of(std::size_t count, const std::string& thing) {
+    return std::to_string(count) + " " + thing + (count == 1 ? "" : "s");
+}
+
+std::uint64_t triangles_of(const Scene& scene, const std::vector<int>& objects) {
+    std::uint64_t count = 0;
+    for (const int object : objects) count += scene.objects[static_cast<std::size_t>(object)].mesh->triangle_count();
+    return count;
+}
+
+/// The words and the memory of one method.
+struct Account {
+    std::string name, how;
+    std::vector<PlannedBuffer> buffers;
+};
+
+Account account_of_map(const PlannedShadow& shadow) {
+    const std::uint64_t side = static_cast<std::uint64_t>(shadow.map.settings.size) + 2;
+    const std::uint64_t faces = shadow.map.views.size();
+    const std::string texels = std::to_string(side - 2) + " x " + std::to_string(side - 2) + " texels";
+    return {"shadow map",
+            (faces == 1 ? "one picture" : "six pictures") + std::string(" of ") + texels,
+            {{"distances", faces * side * side * sizeof(float)}}};
+}
+
+/// Methods that look at all visible samples first keep them, and a factor for each.
+Account account_of_frame(std::string name, std::string how, std::uint64_t samples) {
+    constexpr std::uint64_t kSample = sizeof(float) + sizeof(glm::vec3) + sizeof(std::uint32_t);
+    return {std::move(name),
+            std::move(how),
+            {{"visible samples", samples * kSample}, {"factors", samples * sizeof(float)}}};
+}
+
+Account account_of(const Scene& scene, const PlannedShadow& shadow, std::uint64_t samples) {
+    const std::uint64_t triangles = triangles_of(scene, shadow.casters);
+    switch (shadow.map.settings.method) {
+        case ShadowMethod::map: return account_of_map(shadow);
+        case ShadowMethod::exact:
+            return {"shadow rays",
+                    "one from every point, against a tree of " + count_of(triangles, "triangle"),
+                    {{"tree, at most", triangles * (2 * sizeof(shadows::BvhNode) + sizeof(shadows::Triangle))}}};
+        case ShadowMethod::planar:
+            return account_of_frame("planar shadow", "onto " + count_of(shadow.receivers.size(), "flat object"),
+                                    samples);
+        case ShadowMethod::volume: {
+            Account account = account_of_frame("shadow volumes", "behind " + count_of(triangles, "triangle"), samples);
+            account.buffers.push_back({"counters", samples * sizeof(std::int32_t)});
+            return account;
+        }
+        case ShadowMethod::irregular: {
+            Account account = account_of_frame("irregular z-buffer", "of all visible samples", samples);
+            account.buffers.push_back({"points", samples * sizeof(shadows::LightPoint)});
+            account.buffers.push_back({"cells, about", samples * sizeof(std::uint32_t)});
+            return account;
+        }
+    }
+    return {};
+}
+
+std::string name_of(const Scene& scene, std::size_t object) {
+    return "object " + std::to_string(object) + " (" + scene.objects[object].mesh_name + ")";
+}
+
+}  // namespace
+
+PlannedPass pass_of(const Scene& scene, const PlannedShadow& shadow, const raster::Viewport& viewport) {
+    const std::uint64_t samples =
+        static_cast<std::uint64_t>(viewport.width) * static_cast<std::uint64_t>(viewport.height);
+    Account account = account_of(scene, shadow, samples);
+    return {account.name + " of light " + std::to_string(shadow.light),
+            "shadow = true: " + std::to_string(shadow.casters.size()) + " of " + std::to_string(scene.objects.size()) +
+                " objects can cast onto what is seen; " + account.how,
+            std::move(account.buffers), shadow_pass_cost(scene, shadow, samples)};
+}
+
+std::vector<std::string> shadow_warnings(const Scene& scene) {
+    std::vector<std::string> warnings;
+    const bool casts = std::any_of(scene.lights.begin(), scene.lights.end(),
+                                   [](const lighting::Light& light) { return light.on && light.shadow; });
+    if (!casts) return warnings;
+    bool any_flat = false;
+    for (std::size_t i = 0; i < scene.objects.size(); ++i) {
+        const Object& object = scene.objects[i];
+        const bool is_flat = common_plane(drawn_points(object)).has_value();
+        any_flat |= is_flat;
+        if (scene.shadow.method != ShadowMethod::volume || !object.casts_shadow || is_flat) continue;
+        if (raster::check_mesh(*object.mesh).is_closed()) continue;
+        warnings.push_back(
+            name_of(scene, i) +
+            " is not closed: every triangle of its open pieces casts a shadow volume of its own (slower)");
+    }
+    if (scene.shadow.method == ShadowMethod::planar && !any_flat) {
+        warnings.push_back("shadow.method = \"planar\" casts shadows onto flat objects only, and no object is flat");
+    }
+    return warnings;
+}
+
+}  // namespace kreda::scene

@@ -1,0 +1,177 @@
+#include "scene/render/early_lighting.hpp"
+
+#include <algorithm>
+#include <array>
+
+#include <glm/geometric.hpp>
+#include <glm/matrix.hpp>
+
+#include "scene/render/render.hpp"
+#include "scene/render/shade.hpp"
+
+namespace kreda::scene {
+
+namespace {
+
+using raster::kBatchCapacity;
+
+/// A batch and its channels, for one thread.
+struct LightingScratch {
+    raster::Fragments points;
+    lighting::LightingChannels channels;
+};
+
+/// Call work(begin, count, scratch) for 0 .. total in steps of a batch, in parallel.
+template <class Work>
+void for_each_batch(int total, Work work) {
+    constexpr int kWorthThreads = 8 * kBatchCapacity;
+#pragma omp parallel if (total > kWorthThreads)
+    {
+        const auto scratch = std::make_unique<LightingScratch>();
+#pragma omp for schedule(dynamic)
+        for (int begin = 0; begin < total; begin += kBatchCapacity) {
+            const int count = std::min(kBatchCapacity, total - begin);
+            scratch->points.count = count;
+            work(begin, count, *scratch);
+        }
+    }
+}
+
+/// The vertices that a part uses: an unbroken range, because no vertex belongs to two parts. All of them where there is
+/// one part: looking through its indices would take as long as lighting its vertices.
+struct VertexRange {
+    std::uint32_t first = 0, end = 0;
+};
+VertexRange vertices_of_part(const raster::Mesh& mesh, const raster::MeshPart& part) {
+    if (mesh.parts.size() == 1) return {0, static_cast<std::uint32_t>(mesh.positions.size())};
+    const auto begin = mesh.indices.begin() + 3 * static_cast<std::ptrdiff_t>(part.first_triangle);
+    const auto end = begin + 3 * static_cast<std::ptrdiff_t>(part.triangle_count);
+    if (begin == end) return {};
+    const auto [least, greatest] = std::minmax_element(begin, end);
+    return {*least, *greatest + 1};
+}
+
+void light_range(const Frame& frame, std::uint32_t material, std::uint32_t first, int total) {
+    raster::VertexStreams& streams = frame.buffers.streams;
+    for_each_batch(total, [&](int begin, int count, LightingScratch& scratch) {
+        const std::uint32_t from = first + static_cast<std::uint32_t>(begin);
+        set_vertex_points(frame, from, count, scratch.points);
+        shade_points(frame, scratch.points, material, scratch.channels);
+        for (int i = 0; i < count; ++i) streams.color[from + i] = scratch.channels.radiance.at(i);
+    });
+}
+
+/// Flat colours of one chunk of triangles (they share a material).
+void light_chunk(const Frame& frame, const raster::TriangleChunk& chunk, std::vector<glm::vec3>& color,
+                 LightingScratch& scratch) {
+    const int total = static_cast<int>(chunk.triangles.size());
+    const float orientation = orientation_of(frame.buffers.instances[chunk.instance].world_from_object);
+    color.resize(chunk.triangles.size());
+    for (int begin = 0; begin < total; begin += kBatchCapacity) {
+        const int count = std::min(kBatchCapacity, total - begin);
+        for (int i = 0; i < count; ++i) {
+            set_flat_point(frame.buffers, chunk, chunk.triangles[begin + i], orientation, i, scratch.points);
+        }
+        scratch.points.count = count;
+        shade_points(frame, scratch.points, chunk.triangles[0].material, scratch.channels);
+        for (int i = 0; i < count; ++i) color[begin + i] = scratch.channels.radiance.at(i);
+    }
+}
+
+/// A stream of vectors -> x, y and z apart.
+void copy_points(const glm::vec3* __restrict from, int count, raster::Channel3& to) {
+    for (int i = 0; i < count; ++i) to.set(i, from[i]);
+}
+
+void set_uv(const glm::vec2& uv, const glm::vec2& step_x, const glm::vec2& step_y, int i, raster::Fragments& points) {
+    points.u.set(i, uv.x);
+    points.v.set(i, uv.y);
+    points.du_dx.set(i, step_x.x);
+    points.dv_dx.set(i, step_x.y);
+    points.du_dy.set(i, step_y.x);
+    points.dv_dy.set(i, step_y.y);
+}
+
+void set_tangent(const glm::vec4& tangent, int i, raster::Fragments& points) {
+    points.tangent.set(i, glm::vec3(tangent));
+    points.tangent_side.set(i, tangent.w);
+}
+
+}  // namespace
+
+void set_vertex_points(const Frame& frame, std::uint32_t first, int count, raster::Fragments& points) {
+    const raster::VertexStreams& streams = frame.buffers.streams;
+    copy_points(&streams.position_world[first], count, points.position);
+    copy_points(&streams.normal_world[first], count, points.normal);
+    if (!frame.plan.shadows.empty()) copy_points(&streams.normal_world[first], count, points.face_normal);
+    for (int i = 0; i < count && !streams.uv.empty(); ++i) {
+        set_uv(streams.uv[first + static_cast<std::uint32_t>(i)], glm::vec2(0.0f), glm::vec2(0.0f), i, points);
+    }
+    for (int i = 0; i < count && !streams.tangent_world.empty(); ++i) {
+        set_tangent(streams.tangent_world[first + static_cast<std::uint32_t>(i)], i, points);
+    }
+}
+
+float orientation_of(const glm::mat4& world_from_object) {
+    return glm::determinant(glm::dmat3(world_from_object)) < 0.0 ? -1.0f : 1.0f;
+}
+
+void set_flat_point(const RenderBuffers& buffers, const raster::TriangleChunk& chunk,
+                    const raster::ScreenTriangle& triangle, float orientation, int i, raster::Fragments& points) {
+    const raster::MeshInstance& instance = buffers.instances[chunk.instance];
+    const std::uint32_t* index = &instance.mesh->indices[3 * std::size_t{triangle.source - chunk.first_source}];
+    const raster::VertexStreams& streams = buffers.streams;
+    const auto corners = [&](const auto& stream) {
+        const auto* first = &stream[instance.first_vertex];
+        return std::array{first[index[0]], first[index[1]], first[index[2]]};
+    };
+    const auto [a, b, c] = corners(streams.position_world);
+    points.position.set(i, (a + b + c) * (1.0f / 3.0f));
+    points.normal.set(i, orientation * glm::cross(b - a, c - a));
+    points.face_normal.set(i, points.normal.at(i));
+    if (!streams.uv.empty()) {
+        const auto [uv_a, uv_b, uv_c] = corners(streams.uv);
+        set_uv((uv_a + uv_b + uv_c) * (1.0f / 3.0f), 0.5f * (uv_b - uv_a), 0.5f * (uv_c - uv_a), i, points);
+    }
+    if (!streams.tangent_world.empty()) {
+        const auto [t_a, t_b, t_c] = corners(streams.tangent_world);
+        set_tangent((t_a + t_b + t_c) * (1.0f / 3.0f), i, points);
+    }
+}
+
+void light_vertices(const Frame& frame) {
+    for (const raster::MeshInstance& instance : frame.buffers.instances) {
+        for (std::size_t p = 0; p < instance.mesh->parts.size(); ++p) {
+            const VertexRange range = vertices_of_part(*instance.mesh, instance.mesh->parts[p]);
+            light_range(frame, static_cast<std::uint32_t>(instance.part_material[p]),
+                        instance.first_vertex + range.first, static_cast<int>(range.end - range.first));
+        }
+    }
+}
+
+void fog_vertices(const Frame& frame) {
+    raster::VertexStreams& streams = frame.buffers.streams;
+    for_each_batch(static_cast<int>(streams.fog.size()), [&](int begin, int count, LightingScratch& scratch) {
+        for (int i = 0; i < count; ++i) scratch.points.position.set(i, streams.position_world[begin + i]);
+        fog_factors(scratch.points, frame.lighting, scratch.channels);
+        for (int i = 0; i < count; ++i) streams.fog[begin + i] = scratch.channels.fog.at(i);
+    });
+}
+
+void light_triangles(const Frame& frame) {
+    RenderBuffers& buffers = frame.buffers;
+    const int chunk_count = static_cast<int>(buffers.triangles.chunks.size());
+    buffers.flat_color.resize(buffers.triangles.chunks.size());
+#pragma omp parallel if (chunk_count > 1)
+    {
+        const auto scratch = std::make_unique<LightingScratch>();
+#pragma omp for schedule(dynamic)
+        for (int i = 0; i < chunk_count; ++i) {
+            const raster::TriangleChunk& chunk = buffers.triangles.chunks[i];
+            if (chunk.triangles.empty()) continue;
+            light_chunk(frame, chunk, buffers.flat_color[i], *scratch);
+        }
+    }
+}
+
+}  // namespace kreda::scene

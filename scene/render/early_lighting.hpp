@@ -1,0 +1,32 @@
+// Lighting before rasterization: at the vertices (Gouraud) or once a triangle (flat), and fog at the vertices.
+#pragma once
+
+#include "raster/triangle_setup.hpp"
+#include "scene/render/frame.hpp"
+
+namespace kreda::scene {
+
+/// Gouraud: light every vertex, into streams.color.
+void light_vertices(const Frame& frame);
+
+/// Fog factor of every vertex, into streams.fog.
+void fog_vertices(const Frame& frame);
+
+/// Flat: light every triangle that reached the tiles once, at its centroid with its own normal, into flat_color.
+void light_triangles(const Frame& frame);
+
+/// Vertices of the streams, from `first` on, as points 0 .. count-1 of a batch that is lit. Maps are read there, at
+/// level 0: a vertex has no neighbour that would say how far the texture is stretched.
+void set_vertex_points(const Frame& frame, std::uint32_t first, int count, raster::Fragments& points);
+
+/// Centroid and normal of a triangle of the scene in world space, before any clipping, as point i of a batch.
+/// Maps are read at the centroid's uv; the steps of uv are half of two edges, so that the level is that of a sample as
+/// wide as half the triangle.
+void set_flat_point(const RenderBuffers& buffers, const raster::TriangleChunk& chunk,
+                    const raster::ScreenTriangle& triangle, float orientation, int i, raster::Fragments& points);
+
+/// -1 for a transform that mirrors: it turns counter-clockwise into clockwise, and the face's normal is then the other
+/// cross product. Else 1.
+[[nodiscard]] float orientation_of(const glm::mat4& world_from_object);
+
+}  // namespace kreda::scene

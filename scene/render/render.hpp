@@ -1,0 +1,68 @@
+// Run a plan: from the loaded scene to the linear film.
+#pragma once
+
+#include <cstdint>
+#include <functional>
+#include <memory>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "raster/image.hpp"
+#include "raster/triangle_setup.hpp"
+#include "raster/vertex_stage.hpp"
+#include "scene/plan/plan.hpp"
+#include "scene/scene.hpp"
+#include "shadows/visible_frame.hpp"
+
+namespace kreda::scene {
+
+struct Frame;
+struct ShadowMemory;
+struct TileScratch;
+
+/// The memory of a frame. Keep it from frame to frame and nothing is allocated twice.
+struct RenderBuffers {
+    RenderBuffers();
+    ~RenderBuffers();
+    RenderBuffers(RenderBuffers&&) noexcept;
+    RenderBuffers& operator=(RenderBuffers&&) noexcept;
+
+    std::vector<raster::MeshInstance> instances;
+    raster::VertexStreams streams;
+    raster::TriangleSet triangles;
+    shadows::VisibleFrame visible;                      ///< all samples at once, for shadows that are found that way
+    std::vector<ShadowMemory> shadows;                  ///< one for each of the plan's shadows
+    std::vector<std::vector<glm::vec3>> flat_color;     ///< flat shading: one a triangle, chunk by chunk
+    std::vector<std::unique_ptr<TileScratch>> scratch;  ///< one a thread
+    std::shared_ptr<const PreparedEnvironment>
+        environment;                   ///< baked by the first frame that needs it, unless it is there
+    raster::Image film;                ///< linear RGB radiance, row 0 on top
+    std::vector<raster::Image> views;  ///< one for each of the plan's views, as large as the film
+    std::vector<int> tile_order;       ///< tests shuffle the tiles; empty: row by row
+};
+
+/// Milliseconds by stage, in the order of the pipeline; stages that run tile by tile are summed over all threads and
+/// divided by their number.
+struct StageTimes {
+    std::vector<std::pair<std::string, double>> stages;
+    double total_ms = 0.0;
+};
+
+struct RenderStatistics {
+    StageTimes times;
+    raster::TriangleCounts triangles;
+    std::uint64_t samples_shaded = 0;  ///< visible samples, each shaded exactly once
+};
+
+/// Render the scene into buffers.film. threads = 0: as many as there are cores.
+RenderStatistics render(const Scene& scene, const RenderPlan& plan, RenderBuffers& buffers, int threads = 0);
+
+/// The same, and then look at the frame while everything in it is alive: what `kreda explain` asks about a pixel.
+RenderStatistics render(const Scene& scene, const RenderPlan& plan, RenderBuffers& buffers, int threads,
+                        const std::function<void(const Frame&)>& look);
+
+/// The short way: plan, render, film.
+[[nodiscard]] raster::Image render(const Scene& scene);
+
+}  // namespace kreda::scene

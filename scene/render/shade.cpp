@@ -1,0 +1,25 @@
+#include "scene/render/shade.hpp"
+
+#include "scene/render/debug_pixel.hpp"
+#include "scene/render/shadow_pass.hpp"
+
+namespace kreda::scene {
+
+void shade_points(const Frame& frame, const raster::Fragments& points, std::uint32_t material,
+                  lighting::LightingChannels& channels) {
+    const lighting::MaterialSetup& surface = frame.plan.materials[material];
+    start_lighting(points, surface, frame.lighting, channels);
+    if (frame.plan.lit_by_environment) add_environment(points, surface, frame.lighting.environment, channels);
+    if (surface.material.model != lighting::ReflectionModel::unlit) {
+        // A view or a debugger looks at a light's quantities even where it adds nothing.
+        const bool looked_at = !frame.plan.views.empty() || debug_pixel.x >= 0;
+        for (std::size_t k = 0; k < frame.lighting.lights.size(); ++k) {
+            if (!sample_light(points, frame.lighting.lights[k], channels) && !looked_at) continue;
+            if (find_shadow(frame, static_cast<int>(k), points, channels)) shadow_light(points.count, channels);
+            add_reflection(points.count, surface, channels);
+        }
+    }
+    sum_terms(points.count, channels);
+}
+
+}  // namespace kreda::scene

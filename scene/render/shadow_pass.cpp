@@ -1,0 +1,55 @@
+#include "scene/render/shadow_pass.hpp"
+
+#include "scene/render/frame_shadows.hpp"
+#include "scene/render/render.hpp"
+
+namespace kreda::scene {
+
+namespace {
+
+void look_up(const RenderPlan& plan, const shadows::ShadowMap& map, const raster::Fragments& points,
+             lighting::LightingChannels& channels) {
+    shadow_factors(map, points.position, points.face_normal, points.count, channels.shadow);
+    if (!plan.shows_blockers) return;
+    shadow_blockers(map, points.position, points.face_normal, points.count, channels.blocker_distance,
+                    channels.penumbra);
+}
+
+}  // namespace
+
+void prepare_shadows(const Frame& frame) {
+    frame.buffers.shadows.resize(frame.plan.shadows.size());
+    for (std::size_t i = 0; i < frame.plan.shadows.size(); ++i) {
+        const PlannedShadow& planned = frame.plan.shadows[i];
+        if (planned.map.settings.method == shadows::ShadowMethod::exact) {
+            frame.buffers.shadows[i].exact = prepare_exact(find_occluders(frame, planned.casters).list, planned.source);
+            continue;
+        }
+        std::vector<raster::MeshInstance> casters;
+        for (const int object : planned.casters) {
+            casters.push_back(frame.buffers.instances[static_cast<std::size_t>(object)]);
+        }
+        ShadowMemory& memory = frame.buffers.shadows[i];
+        draw_shadow_map(casters, planned.map, memory.drawing, memory.map);
+    }
+}
+
+bool find_shadow(const Frame& frame, int light_that_is_on, const raster::Fragments& points,
+                 lighting::LightingChannels& channels) {
+    for (std::size_t i = 0; i < frame.plan.shadows.size(); ++i) {
+        if (frame.plan.shadows[i].light_that_is_on != light_that_is_on) continue;
+        const ShadowMemory& memory = frame.buffers.shadows[i];
+        switch (frame.plan.shadows[i].map.settings.method) {
+            case shadows::ShadowMethod::map: look_up(frame.plan, memory.map, points, channels); break;
+            case shadows::ShadowMethod::exact:
+                shadow_factors(memory.exact, points.position, points.count, channels.shadow);
+                break;
+            default:  // found before, for all samples
+                for (int k = 0; k < points.count; ++k) channels.shadow.set(k, memory.factor[points.sample[k]]);
+        }
+        return true;
+    }
+    return false;
+}
+
+}  // namespace kreda::scene

@@ -1,0 +1,32 @@
+// Shadows while a frame is drawn: first what each light sees, then for each batch of points what is in shadow.
+#pragma once
+
+#include <memory>
+#include <vector>
+
+#include "lighting/batch/channels.hpp"
+#include "raster/fragments.hpp"
+#include "scene/render/frame.hpp"
+#include "shadows/exact.hpp"
+#include "shadows/shadow_map.hpp"
+
+namespace kreda::scene {
+
+/// The memory of one light's shadows; kept from frame to frame.
+struct ShadowMemory {
+    shadows::ShadowMapBuffers drawing;
+    shadows::ShadowMap map;
+    shadows::ExactShadow exact;
+    std::vector<float> factor;  ///< of every sample of the picture, by methods that find all at once
+};
+
+/// Before anything is shaded, for methods that answer point by point: draw the map, or build the tree, of every light
+/// that the plan lets cast shadows. Those that answer for a whole frame have scene/render/frame_shadows.hpp.
+void prepare_shadows(const Frame& frame);
+
+/// channels.shadow at every point for the light of that number, counted among those that are on. False (and nothing is
+/// written) if it casts none.
+bool find_shadow(const Frame& frame, int light_that_is_on, const raster::Fragments& points,
+                 lighting::LightingChannels& channels);
+
+}  // namespace kreda::scene

@@ -1,0 +1,46 @@
+// kreda bench: how fast, beside Mesa and against the size of the work.
+#include <memory>
+
+#include <CLI/CLI.hpp>
+
+#include "scene/error.hpp"
+#include "tools/bench/bench.hpp"
+#include "tools/bench/peak.hpp"
+#include "tools/commands.hpp"
+
+namespace kreda::tools {
+
+void add_bench_command(CLI::App& app) {
+    CLI::App* command =
+        app.add_subcommand("bench", "Time workloads, beside Mesa's llvmpipe in turn, or against their size");
+    const auto options = std::make_shared<BenchOptions>();
+    const auto growth = std::make_shared<bool>(false);
+    const auto peak = std::make_shared<bool>(false);
+    command->add_option("--workloads", options->workloads, "The folder with W1.toml, W1.mesa, ... to compare")
+        ->type_name("DIR");
+    command->add_option("--mesa", options->mesa, "The program mesa_peer; without it only kreda is timed")
+        ->type_name("PROGRAM");
+    command->add_flag("--growth", *growth, "Time against pixels, triangles, lights and threads");
+    command->add_flag("--peak", *peak,
+                      "How much of the processor's arithmetic and cache bandwidth the shading loops reach");
+    command->add_option("--rounds", options->rounds, "How often the programs take turns")
+        ->check(CLI::Range(1, 1000))
+        ->type_name("N");
+    command->add_option("--frames", options->frames, "Frames a turn; its median counts")
+        ->check(CLI::Range(1, 10000))
+        ->type_name("N");
+    command->add_option("--threads", options->threads, "Threads of each program")
+        ->check(CLI::Range(1, 256))
+        ->type_name("N");
+    command->callback([options, growth, peak] {
+        if (options->workloads.empty() && !*growth && !*peak) {
+            throw scene::UserError(
+                "kreda bench: say what to time: --workloads DIR, --growth or --peak (see kreda bench --help)");
+        }
+        if (!options->workloads.empty()) compare_with_mesa(*options);
+        if (*growth) measure_growth(options->frames, options->threads);
+        if (*peak) measure_peak();
+    });
+}
+
+}  // namespace kreda::tools

@@ -1,0 +1,272 @@
+#include "tools/draw/draw.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include <glm/geometric.hpp>
+
+#include "raster/film.hpp"
+#include "raster/screen.hpp"
+#include "tools/draw/font.hpp"
+
+namespace kreda::tools {
+
+namespace {
+
+constexpr int kGap = 4;
+
+void blend(Image& image, int x, int y, const glm::vec3& color, float coverage) {
+    if (coverage <= 0.0f) return;
+    image.set_rgb(x, y, (1.0f - coverage) * image.rgb(x, y) + coverage * color);
+}
+
+/// The pixels that a shape within [low, high] may touch.
+struct Box {
+    int x0, y0, x1, y1;
+};
+Box box_of(const Image& image, glm::vec2 low, glm::vec2 high) {
+    const auto cut = [](float value, int size) {
+        return static_cast<int>(std::floor(std::clamp(value, 0.0f, static_cast<float>(size))));
+    };
+    return {cut(low.x - 1.0f, image.width), cut(low.y - 1.0f, image.height), cut(high.x + 2.0f, image.width),
+            cut(high.y + 2.0f, image.height)};
+}
+
+float distance_to_segment(glm::vec2 p, glm::vec2 a, glm::vec2 b) {
+    const glm::vec2 ab = b - a;
+    const float length2 = glm::dot(ab, ab);
+    const float t = length2 > 0.0f ? std::clamp(glm::dot(p - a, ab) / length2, 0.0f, 1.0f) : 0.0f;
+    const glm::vec2 d = p - (a + t * ab);
+    return std::sqrt(glm::dot(d, d));
+}
+
+}  // namespace
+
+glm::vec3 srgb(std::uint32_t rrggbb) {
+    const auto channel = [&](int shift) {
+        return raster::linear_from_srgb(static_cast<float>((rrggbb >> shift) & 0xffu) / 255.0f);
+    };
+    return {channel(16), channel(8), channel(0)};
+}
+
+Image make_board(int width, int height, const glm::vec3& color) {
+    Image image = raster::make_image(width, height, 3);
+    for (int c = 0; c < 3; ++c) std::fill_n(image.plane(c), image.plane_size(), color[c]);
+    return image;
+}
+
+Image grey_image(int width, int height, const std::vector<float>& values) {
+    Image image = raster::make_image(width, height, 3);
+    for (int c = 0; c < 3; ++c) std::copy_n(values.begin(), image.plane_size(), image.plane(c));
+    return image;
+}
+
+glm::vec3 signed_color(float value) {
+    const float strength = std::min(std::abs(value), 1.0f);
+    return (1.0f - strength) * kBoard + strength * (value < 0.0f ? kBlue : kOrange);
+}
+
+void fill_rectangle(Image& image, int x, int y, int width, int height, const glm::vec3& color) {
+    for (int j = std::max(y, 0); j < std::min(y + height, image.height); ++j) {
+        for (int i = std::max(x, 0); i < std::min(x + width, image.width); ++i) image.set_rgb(i, j, color);
+    }
+}
+
+void draw_line(Image& image, glm::vec2 from, glm::vec2 to, float width, const glm::vec3& color) {
+    const glm::vec2 reach(0.5f * width);
+    const Box box = box_of(image, glm::min(from, to) - reach, glm::max(from, to) + reach);
+    for (int y = box.y0; y < box.y1; ++y) {
+        for (int x = box.x0; x < box.x1; ++x) {
+            const float d = distance_to_segment(glm::vec2(x, y) + 0.5f, from, to);
+            blend(image, x, y, color, std::clamp(0.5f * width + 0.5f - d, 0.0f, std::min(width, 1.0f)));
+        }
+    }
+}
+
+void draw_disc(Image& image, glm::vec2 center, float radius, const glm::vec3& color) {
+    draw_line(image, center, center, 2.0f * radius, color);
+}
+
+void fill_triangle(Image& image, const glm::vec2 (&corner)[3], const glm::vec3& color) {
+    raster::ScreenVertex v[3];
+    for (int i = 0; i < 3; ++i) {
+        v[i].x = raster::round_half_up_to_int(corner[i].x * raster::kSubpixels);
+        v[i].y = raster::round_half_up_to_int(corner[i].y * raster::kSubpixels);
+    }
+    if (raster::edge_function(v[0].x, v[0].y, v[1].x, v[1].y, v[2].x, v[2].y) < 0) std::swap(v[1], v[2]);
+    const raster::SampleBox box = sample_box(v[0], v[1], v[2], image.width, image.height);
+    for (int y = box.y_first; y <= box.y_last; ++y) {
+        for (int x = box.x_first; x <= box.x_last; ++x) {
+            if (covers_sample(v[0], v[1], v[2], x, y)) image.set_rgb(x, y, color);
+        }
+    }
+}
+
+void draw_triangle_outline(Image& image, const glm::vec2 (&corner)[3], float width, const glm::vec3& color) {
+    for (int i = 0; i < 3; ++i) draw_line(image, corner[i], corner[(i + 1) % 3], width, color);
+}
+
+void draw_text(Image& image, int x, int y, std::string_view text, const glm::vec3& color, int scale) {
+    for (const char character : text) {
+        const bool printable = character >= ' ' && character <= '~';
+        const Glyph& glyph = kFont[static_cast<std::size_t>((printable ? character : '?') - ' ')];
+        const bool descends = std::string_view("gjpqy").find(character) != std::string_view::npos;
+        const int top = descends ? y + kDescent * scale : y;
+        for (int row = 0; row < kGlyphHeight; ++row) {
+            for (int column = 0; column < kGlyphWidth; ++column) {
+                if ((glyph[row] >> (kGlyphWidth - 1 - column) & 1) == 0) continue;
+                fill_rectangle(image, x + column * scale, top + row * scale, scale, scale, color);
+            }
+        }
+        x += kGlyphAdvance * scale;
+    }
+}
+
+namespace {
+
+struct Stroke {
+    glm::vec2 from, to;
+};
+
+/// Neighbouring dots of a glyph become strokes; diagonal ones only where no corner joins them. In dots, the first at 0,
+/// 0.
+std::vector<Stroke> strokes_of(const Glyph& glyph) {
+    const auto dot = [&](int row, int column) {
+        const bool inside = row >= 0 && row < kGlyphHeight && column >= 0 && column < kGlyphWidth;
+        return inside && (glyph[static_cast<std::size_t>(row)] >> (kGlyphWidth - 1 - column) & 1) != 0;
+    };
+    std::vector<Stroke> strokes;
+    for (int row = 0; row < kGlyphHeight; ++row) {
+        for (int column = 0; column < kGlyphWidth; ++column) {
+            if (!dot(row, column)) continue;
+            const glm::vec2 here(column, row);
+            const auto stroke = [&](int down, int right) { strokes.push_back({here, here + glm::vec2(right, down)}); };
+            const bool right = dot(row, column + 1), below = dot(row + 1, column), left = dot(row, column - 1);
+            stroke(0, 0);
+            if (right) stroke(0, 1);
+            if (below) stroke(1, 0);
+            if (!right && !below && dot(row + 1, column + 1)) stroke(1, 1);
+            if (!left && !below && dot(row + 1, column - 1)) stroke(1, -1);
+        }
+    }
+    return strokes;
+}
+
+/// All strokes of a glyph at once, so that nothing shows where they overlap.
+void draw_strokes(Image& image, glm::vec2 first_dot, const Glyph& glyph, float scale, const glm::vec3& color) {
+    const float radius = 0.525f * scale;
+    const std::vector<Stroke> strokes = strokes_of(glyph);
+    const Box box =
+        box_of(image, first_dot - radius, first_dot + scale * glm::vec2(kGlyphWidth, kGlyphHeight) + radius);
+    for (int y = box.y0; y < box.y1; ++y) {
+        for (int x = box.x0; x < box.x1; ++x) {
+            const glm::vec2 p = (glm::vec2(x, y) + 0.5f - first_dot) / scale;
+            float nearest = 1e9f;
+            for (const Stroke& s : strokes) nearest = std::min(nearest, distance_to_segment(p, s.from, s.to));
+            blend(image, x, y, color, std::clamp(radius + 0.5f - nearest * scale, 0.0f, 1.0f));
+        }
+    }
+}
+
+}  // namespace
+
+void draw_large_text(Image& image, glm::vec2 corner, std::string_view text, const glm::vec3& color, float scale) {
+    for (const char character : text) {
+        const bool printable = character >= ' ' && character <= '~';
+        const bool descends = std::string_view("gjpqy").find(character) != std::string_view::npos;
+        const glm::vec2 drop(0.5f * scale, (descends ? kDescent + 0.5f : 0.5f) * scale);
+        draw_strokes(image, corner + drop, kFont[static_cast<std::size_t>((printable ? character : '?') - ' ')], scale,
+                     color);
+        corner.x += kGlyphAdvance * scale;
+    }
+}
+
+float text_width(std::string_view text, float scale) {
+    return (static_cast<float>(text.size()) * kGlyphAdvance - 1.0f) * scale;
+}
+
+int text_scale(int picture_height) {
+    return std::max(1, picture_height / 180);
+}
+
+void draw_caption(Image& image, std::string_view text, int scale, const glm::vec3& color) {
+    const int margin = 3 * scale;
+    const int width = static_cast<int>(text.size()) * kGlyphAdvance * scale - scale + 2 * margin;
+    const int height = kGlyphHeight * scale + 2 * margin;
+    fill_rectangle(image, 0, image.height - height, width, height, kBoard);
+    draw_text(image, margin, image.height - height + margin, text, color, scale);
+}
+
+Image enlarge(const Image& image, int factor) {
+    Image large = raster::make_image(image.width * factor, image.height * factor, image.channels);
+    for (int c = 0; c < image.channels; ++c) {
+        for (int y = 0; y < large.height; ++y) {
+            for (int x = 0; x < large.width; ++x) large.at(c, x, y) = image.at(c, x / factor, y / factor);
+        }
+    }
+    return large;
+}
+
+Image enlarge_with_grid(const Image& image, int factor) {
+    Image large = enlarge(image, factor);
+    const float unit = static_cast<float>(factor);
+    for (int x = 0; x < image.width; ++x) fill_rectangle(large, x * factor, 0, 1, large.height, kSlate);
+    for (int y = 0; y < image.height; ++y) fill_rectangle(large, 0, y * factor, large.width, 1, kSlate);
+    for (int y = 0; y < image.height; ++y) {
+        for (int x = 0; x < image.width; ++x) {
+            draw_disc(large, (glm::vec2(x, y) + 0.5f) * unit, 0.06f * unit, kDust);
+        }
+    }
+    return large;
+}
+
+Image fit(const Image& image, int width, int height, const glm::vec3& around) {
+    const double scale = std::min(double(width) / image.width, double(height) / image.height);
+    const int wide = std::clamp(static_cast<int>(image.width * scale), 1, width);
+    const int high = std::clamp(static_cast<int>(image.height * scale), 1, height);
+    const int left = (width - wide) / 2, top = (height - high) / 2;
+    Image whole = raster::make_image(width, height, image.channels);
+    for (int c = 0; c < image.channels; ++c) {
+        std::fill_n(whole.plane(c), whole.plane_size(), around[c]);
+        for (int y = 0; y < high; ++y) {
+            for (int x = 0; x < wide; ++x) {
+                whole.at(c, left + x, top + y) = image.at(c, x * image.width / wide, y * image.height / high);
+            }
+        }
+    }
+    return whole;
+}
+
+Image crop(const Image& image, int x, int y, int width, int height) {
+    Image part = make_board(width, height);
+    paste(part, image, -x, -y);
+    return part;
+}
+
+void paste(Image& onto, const Image& image, int x, int y) {
+    for (int j = std::max(0, -y); j < std::min(image.height, onto.height - y); ++j) {
+        for (int i = std::max(0, -x); i < std::min(image.width, onto.width - x); ++i) {
+            onto.set_rgb(x + i, y + j, image.rgb(i, j));
+        }
+    }
+}
+
+glm::ivec2 panel_size(int width, int height, int columns, int rows) {
+    return {(width - (columns - 1) * kGap) / columns, (height - (rows - 1) * kGap) / rows};
+}
+
+Image montage(int width, int height, int columns, const std::vector<Image>& panels) {
+    const int rows = (static_cast<int>(panels.size()) + columns - 1) / columns;
+    const glm::ivec2 cell = panel_size(width, height, columns, rows);
+    Image whole = make_board(width, height, kSlate);
+    for (int i = 0; i < static_cast<int>(panels.size()); ++i) {
+        const Image& panel = panels[i];
+        const int left = i % columns * (cell.x + kGap);
+        const int top = i / columns * (cell.y + kGap);
+        paste(whole, panel, left + (cell.x - panel.width) / 2, top + (cell.y - panel.height) / 2);
+    }
+    return whole;
+}
+
+}  // namespace kreda::tools

@@ -1,0 +1,82 @@
+// Drawing on pictures: lines, discs, captions, enlarging, montages. Colours are linear RGB, positions are in pixels
+// with (0, 0) in the upper left corner of the upper left pixel, whose centre is (0.5, 0.5). What lies outside is cut
+// off.
+#pragma once
+
+#include <cstdint>
+#include <string_view>
+#include <vector>
+
+#include <glm/vec2.hpp>
+#include <glm/vec3.hpp>
+
+#include "raster/image.hpp"
+
+namespace kreda::tools {
+
+using raster::Image;
+
+/// Linear RGB of a colour as it is written on the web, 0xRRGGBB.
+[[nodiscard]] glm::vec3 srgb(std::uint32_t rrggbb);
+
+/// The palette of all examples: chalk on a blackboard.
+inline const glm::vec3 kBoard = srgb(0x20262b);
+inline const glm::vec3 kSlate = srgb(0x3b464e);
+inline const glm::vec3 kDust = srgb(0x8a949b);
+inline const glm::vec3 kChalk = srgb(0xf2eee4);
+inline const glm::vec3 kBlue = srgb(0x6fb1e0);
+inline const glm::vec3 kOrange = srgb(0xf0a35e);
+inline const glm::vec3 kGreen = srgb(0x9bc77b);
+inline const glm::vec3 kRed = srgb(0xe2685f);
+inline const glm::vec3 kYellow = srgb(0xf2d16b);
+
+/// An empty blackboard.
+[[nodiscard]] Image make_board(int width, int height, const glm::vec3& color = kBoard);
+
+/// A grey picture of one value a pixel, row by row from the top.
+[[nodiscard]] Image grey_image(int width, int height, const std::vector<float>& values);
+
+/// Colour of a signed value: blue below 0, board at 0, orange above; full at +-1.
+[[nodiscard]] glm::vec3 signed_color(float value);
+
+void fill_rectangle(Image& image, int x, int y, int width, int height, const glm::vec3& color);
+void draw_line(Image& image, glm::vec2 from, glm::vec2 to, float width, const glm::vec3& color);
+void draw_disc(Image& image, glm::vec2 center, float radius, const glm::vec3& color);
+/// The pixels whose centre lies in a triangle of either orientation (raster/screen.hpp, 10_triangle).
+void fill_triangle(Image& image, const glm::vec2 (&corner)[3], const glm::vec3& color);
+void draw_triangle_outline(Image& image, const glm::vec2 (&corner)[3], float width, const glm::vec3& color);
+
+/// Dot text (ASCII); every dot is scale x scale pixels, a line is 7 of them high, a character 6 wide.
+void draw_text(Image& image, int x, int y, std::string_view text, const glm::vec3& color, int scale);
+
+/// The same letters with smooth strokes, for slides; `corner` is the upper left one of the first letter.
+void draw_large_text(Image& image, glm::vec2 corner, std::string_view text, const glm::vec3& color, float scale);
+/// How wide a line of text is, in pixels.
+[[nodiscard]] float text_width(std::string_view text, float scale);
+
+/// The scale at which a caption is readable from the last row: 2 for a picture of 360 lines.
+[[nodiscard]] int text_scale(int picture_height);
+
+/// Text on a dark strip in the lower left corner.
+void draw_caption(Image& image, std::string_view text, int scale, const glm::vec3& color = kChalk);
+
+/// Every pixel becomes factor x factor pixels.
+[[nodiscard]] Image enlarge(const Image& image, int factor);
+
+/// The same with the borders and the centres of the small pixels drawn in.
+[[nodiscard]] Image enlarge_with_grid(const Image& image, int factor);
+
+/// A picture of width x height that holds the whole image as large as it fits, each pixel the nearest of the image's;
+/// `around` fills the rest. Any number of channels up to three.
+[[nodiscard]] Image fit(const Image& image, int width, int height, const glm::vec3& around = kBoard);
+
+[[nodiscard]] Image crop(const Image& image, int x, int y, int width, int height);
+void paste(Image& onto, const Image& image, int x, int y);
+
+/// Room for one of columns x rows panels on a picture of that size, with a thin gap between them.
+[[nodiscard]] glm::ivec2 panel_size(int width, int height, int columns, int rows);
+
+/// Panels side by side, row by row, each in the middle of its cell.
+[[nodiscard]] Image montage(int width, int height, int columns, const std::vector<Image>& panels);
+
+}  // namespace kreda::tools

@@ -1,0 +1,114 @@
+#include "tools/draw/slide.hpp"
+
+#include <algorithm>
+#include <cctype>
+#include <cmath>
+#include <filesystem>
+#include <fstream>
+
+#include "raster/film.hpp"
+#include "scene/error.hpp"
+#include "tools/draw/draw.hpp"
+
+namespace kreda::tools {
+
+namespace {
+
+namespace fs = std::filesystem;
+using raster::Image;
+
+constexpr int kMargin = 60;
+constexpr int kPictureTop = 130;
+constexpr int kPictureHeight = 775;
+
+struct SlideColors {
+    glm::vec3 ground, text, remark;
+};
+
+SlideColors colors_of(SlideGround ground) {
+    if (ground == SlideGround::dark) return {kBoard, kChalk, kDust};
+    return {srgb(0xfbf9f3), srgb(0x20262b), srgb(0x5a656c)};
+}
+
+/// A line in the middle, as large as it may be.
+void write_line(Image& slide, const std::string& text, int top, float largest, const glm::vec3& color) {
+    if (text.empty()) return;
+    const float room = kSlideWidth - 2 * kMargin;
+    const float scale = std::min(largest, largest * room / text_width(text, largest));
+    draw_large_text(slide, {0.5f * (kSlideWidth - text_width(text, scale)), top}, text, color, scale);
+}
+
+/// The first heading of a Markdown page, or "".
+std::string heading_of(const fs::path& page) {
+    std::ifstream file(page);
+    std::string line;
+    if (!std::getline(file, line) || !line.starts_with("# ")) return "";
+    return line.substr(2);
+}
+
+bool is_example_name(const std::string& name) {
+    return name.size() > 3 && std::isdigit(static_cast<unsigned char>(name[0])) &&
+           std::isdigit(static_cast<unsigned char>(name[1])) && name[2] == '_';
+}
+
+/// Letters that the font has.
+std::string ascii(const std::string& text) {
+    std::string plain;
+    for (const char c : text) {
+        if (c >= ' ' && c <= '~')
+            plain += c;
+        else if ((static_cast<unsigned char>(c) & 0xc0u) != 0x80u)
+            plain += '?';
+    }
+    return plain;
+}
+
+}  // namespace
+
+SlideGround slide_ground(const std::string& word) {
+    if (word == "dark") return SlideGround::dark;
+    if (word == "light") return SlideGround::light;
+    throw scene::UserError("--slides " + word + ": expected dark or light");
+}
+
+glm::ivec2 slide_picture_size(int width, int height) {
+    constexpr double kRoom = kSlideWidth - 2 * kMargin;
+    const double scale = std::min(kRoom / width, double{kPictureHeight} / height);
+    return {std::max(1, static_cast<int>(width * scale)), std::max(1, static_cast<int>(height * scale))};
+}
+
+glm::ivec2 slide_picture_corner(glm::ivec2 size) {
+    return {(kSlideWidth - size.x) / 2, kPictureTop + (kPictureHeight - size.y) / 2};
+}
+
+void fit_to_slide(scene::ImageSettings& image) {
+    const glm::ivec2 size = slide_picture_size(image.width, image.height);
+    image.width = size.x;
+    image.height = size.y;
+}
+
+Image make_slide(const Image& picture, const SlideText& text, SlideGround ground) {
+    const SlideColors colors = colors_of(ground);
+    Image slide = make_board(kSlideWidth, kSlideHeight, colors.ground);
+    write_line(slide, ascii(text.title), 44, 7.0f, colors.text);
+    write_line(slide, ascii(text.caption), 930, 6.0f, colors.text);
+    write_line(slide, ascii(text.remark), 1010, 4.0f, colors.remark);
+    slide = develop(slide, {});
+    const glm::ivec2 corner = slide_picture_corner({picture.width, picture.height});
+    paste(slide, picture, corner.x, corner.y);
+    return slide;
+}
+
+std::string title_of_scene(const std::string& file) {
+    if (file.empty()) return "the built-in scene";
+    const fs::path path = fs::absolute(file);
+    const std::string folder = path.parent_path().filename().string();
+    if (!is_example_name(folder)) return path.stem().string();
+    const std::string heading = heading_of(path.parent_path().parent_path().parent_path() / "docs" / (folder + ".md"));
+    if (!heading.empty()) return heading;
+    std::string words = folder;
+    std::replace(words.begin(), words.end(), '_', ' ');
+    return words;
+}
+
+}  // namespace kreda::tools

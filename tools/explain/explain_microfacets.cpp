@@ -1,0 +1,179 @@
+// The microfacet model, symbol by symbol: D, V, F and what they make together. The letters are
+// lighting/microfacet.hpp's.
+#include <cmath>
+
+#include <glm/geometric.hpp>
+
+#include "tools/explain/explain_light.hpp"
+
+namespace kreda::tools {
+
+namespace {
+
+using lighting::CookTorranceSetup;
+using lighting::Distribution;
+using lighting::EnergyCompensation;
+using lighting::FresnelMethod;
+using lighting::Geometry;
+using lighting::MicrofacetChannels;
+
+/// What a formula is called and how it is written.
+struct Formula {
+    const char* name;
+    const char* text;
+};
+
+Formula formula_of(Distribution distribution) {
+    switch (distribution) {
+        case Distribution::ggx: return {"GGX", "α² / (π (sin²θ_h + (n·h)² α²)²)"};
+        case Distribution::beckmann: return {"Beckmann", "exp(-tan²θ_h / α²) / (π α² (n·h)⁴)"};
+        case Distribution::blinn_phong: return {"Blinn-Phong", "(k + 2) / 2π · (n·h)^k,  k = 2/α² - 2"};
+        case Distribution::gaussian: return {"Gaussian", "c exp(-(θ_h / α)²)"};
+    }
+    return {"", ""};
+}
+
+Formula formula_of(Geometry geometry) {
+    switch (geometry) {
+        case Geometry::schlick_ggx:
+            return {"Schlick-GGX", "1 / (4 ((n·l)(1-k) + k) ((n·v)(1-k) + k)),  k = (roughness + 1)² / 8"};
+        case Geometry::smith: return {"Smith", "1 / ((n·l + √(α² + (1-α²)(n·l)²)) (n·v + √(α² + (1-α²)(n·v)²)))"};
+        case Geometry::smith_correlated:
+            return {"Smith, correlated", "1 / (2 (n·l √(α² + (1-α²)(n·v)²) + n·v √(α² + (1-α²)(n·l)²)))"};
+        case Geometry::implicit: return {"implicit, G = (n·l)(n·v)", "1/4"};
+        case Geometry::cook_torrance:
+            return {"Cook-Torrance", "min(1, 2 (n·h)(n·v) / (v·h), 2 (n·h)(n·l) / (v·h)) / (4 (n·l)(n·v))"};
+    }
+    return {"", ""};
+}
+
+Formula formula_of(const CookTorranceSetup& setup) {
+    switch (setup.fresnel) {
+        case FresnelMethod::schlick: return {"Schlick", "F0 + (1 - F0)(1 - v·h)⁵"};
+        case FresnelMethod::rescaled_schlick: return {"rescaled Schlick", "F0 + (1 - F0)(1 - v·h)⁵,  F0 from n and k"};
+        case FresnelMethod::schlick_ior: return {"Schlick from n", "((n-1)² + 4n (1 - v·h)⁵) / (n+1)²"};
+        case FresnelMethod::exact:
+            if (setup.all_wavelengths)
+                return {"exact, whole spectrum", "mean over wavelengths of (R_s + R_p) / 2 from n, k and v·h"};
+            if (setup.absorbs) return {"exact, conductor", "(R_s + R_p) / 2  from n, k and v·h"};
+            return setup.has_index ? Formula{"exact, dielectric", "(R_s + R_p) / 2  from n and v·h"}
+                                   : Formula{"exact, dielectric", "(R_s + R_p) / 2  from n(F0) and v·h"};
+        case FresnelMethod::corrected_schlick: return {"corrected Schlick", "Schlick - a (v·h)(1 - v·h)^λ"};
+        case FresnelMethod::corrected_schlick_as_printed:
+            return {"corrected Schlick as printed", "Schlick - a (1 - v·h)^λ"};
+        case FresnelMethod::f82: return {"F82", "Schlick - b (v·h)(1 - v·h)⁶"};
+        case FresnelMethod::table: return {"table", "linear between entries of a table over v·h"};
+        case FresnelMethod::nvidia:
+            return setup.has_bias ? Formula{"bias-scale-power", "bias + scale (1 - v·h)^power, cut to 0..1"}
+                                  : Formula{"bias-scale-power", "F0 + (1 - F0)(1 - v·h)^power"};
+        case FresnelMethod::none: return {"constant", "F0"};
+    }
+    return {"", ""};
+}
+
+std::string text(float value) {
+    return number_text(value);
+}
+
+/// α² / (π (...)²) with its numbers; the other distributions give their result alone.
+std::string distribution_numbers(Distribution distribution, const MicrofacetChannels& m) {
+    const std::string alpha = text(m.alpha.at(0));
+    const std::string n_dot_h = text(m.n_dot_h.at(0));
+    const std::string sin2 = text(m.sin2_h.at(0));
+    switch (distribution) {
+        case Distribution::ggx: return alpha + "² / (π (" + sin2 + " + " + n_dot_h + "²·" + alpha + "²)²)";
+        case Distribution::beckmann:
+            return "exp(-" + sin2 + " / " + n_dot_h + "² / " + alpha + "²) / (π " + alpha + "² " + n_dot_h + "⁴)";
+        default: return "";
+    }
+}
+
+std::string visibility_numbers(Geometry geometry, const MicrofacetChannels& m) {
+    if (geometry != Geometry::schlick_ggx) return "";
+    const std::string k = text(lighting::schlick_k_direct(m.roughness.at(0)));
+    const std::string rest = "(1-" + k + ") + " + k + ")";
+    return "1 / (4 (" + text(m.n_dot_l.at(0)) + rest + " (" + text(m.n_dot_v.at(0)) + rest + ")";
+}
+
+void explain_surface(const CookTorranceSetup& setup, const MicrofacetChannels& m, Section& section) {
+    section.equation("c", "", "", m.albedo.at(0), "albedo");
+    section.equation("α", "roughness²", text(m.roughness.at(0)) + "²", m.alpha.at(0));
+    if (setup.all_wavelengths) {
+        section.equation("F0", "Σ over wavelengths", "", m.f0.at(0),
+                         "measured n and k, through the eye's three curves");
+        return;
+    }
+    if (setup.has_index) {
+        section.equation("F0", "((n-1)² + k²) / ((n+1)² + k²)",
+                         "n = " + vector_text(setup.n) + ", k = " + vector_text(setup.k), m.f0.at(0));
+        return;
+    }
+    const float metallic = m.metallic.at(0);
+    section.equation("F0", "0.04 (1 - metallic) + c metallic",
+                     "0.04·" + text(1.0f - metallic) + " + " + vector_text(m.albedo.at(0)) + "·" + text(metallic),
+                     m.f0.at(0));
+}
+
+void explain_angles(const lighting::LightingChannels& after, Section& section) {
+    const MicrofacetChannels& m = after.microfacet;
+    const glm::vec3 n = after.n.at(0), l = after.l.at(0), v = after.v.at(0);
+    const glm::vec3 sum = l + v;
+    section.equation("h", "(l + v) / |l + v|", vector_text(sum) + " / " + text(glm::length(sum)),
+                     sum / glm::length(sum));
+    section.equation("n·l", "max(n·l, 0)", "max(" + dot_text(n, l) + ", 0)", m.n_dot_l.at(0),
+                     glm::dot(n, l) > 0.0f ? "" : "the surface faces away from this light");
+    section.equation("n·v", "max(n·v, 0)", "max(" + dot_text(n, v) + ", 0)", m.n_dot_v.at(0));
+    section.equation("n·h", "max(n·h, 0)", "", m.n_dot_h.at(0));
+    section.equation("v·h", "|l + v| / 2", text(glm::length(sum)) + " / 2", m.v_dot_h.at(0), "= l·h");
+    section.equation("sin²θ_h", "d (1 - d/4),  d = |n - h|²", "", m.sin2_h.at(0), "= 1 - (n·h)², without cancelling");
+}
+
+void explain_D_V_F(const CookTorranceSetup& setup, const MicrofacetChannels& m, Section& section) {
+    const Formula D = formula_of(setup.distribution);
+    const Formula V = formula_of(setup.geometry);
+    const Formula F = formula_of(setup);
+    section.equation("D", D.text, distribution_numbers(setup.distribution, m), m.D.at(0),
+                     std::string("[1/sr] ") + D.name + ": share of microfacets that face h");
+    section.equation("V", V.text, visibility_numbers(setup.geometry, m), m.V.at(0),
+                     std::string(V.name) + ": G / (4 (n·l)(n·v))");
+    section.equation("G", "4 V (n·l)(n·v)", "", 4.0f * m.V.at(0) * m.n_dot_l.at(0) * m.n_dot_v.at(0),
+                     "share of them that light and viewer both see");
+    const bool schlick = setup.fresnel == FresnelMethod::schlick || setup.fresnel == FresnelMethod::rescaled_schlick;
+    const std::string f0 = vector_text(m.f0.at(0));
+    section.equation("F", F.text, schlick ? f0 + " + (1 - " + f0 + ")(1 - " + text(m.v_dot_h.at(0)) + ")⁵" : "",
+                     m.F.at(0), std::string(F.name) + ": share of the light that is reflected");
+}
+
+}  // namespace
+
+ExplainedTerms explain_microfacets(const CookTorranceSetup& setup, const lighting::LightingChannels& after,
+                                   Section& section) {
+    const MicrofacetChannels& m = after.microfacet;
+    explain_surface(setup, m, section);
+    explain_angles(after, section);
+    explain_D_V_F(setup, m, section);
+    lighting::ReflectedTerms terms =
+        lighting::combine_terms(m.n_dot_l.at(0), m.D.at(0), m.V.at(0), m.F.at(0), m.albedo.at(0), m.metallic.at(0));
+    const glm::vec3 transmitted = glm::clamp(1.0f - m.F.at(0), 0.0f, 1.0f);
+    section.equation("k_d", "(1 - F)(1 - metallic)", vector_text(transmitted) + " · " + text(1.0f - m.metallic.at(0)),
+                     lighting::diffuse_share(m.F.at(0), m.metallic.at(0)),
+                     "what enters the surface and comes out again");
+    section.equation("f_D", "k_d c / π · (n·l)", "", terms.diffuse);
+    section.equation(
+        "f_S", "D V F (n·l)",
+        text(m.D.at(0)) + " · " + text(m.V.at(0)) + " · " + vector_text(m.F.at(0)) + " · " + text(m.n_dot_l.at(0)),
+        terms.specular);
+    if (setup.energy_compensation == EnergyCompensation::none) return {terms.diffuse, terms.specular};
+
+    lighting::MicrofacetSurface surface;
+    surface.f0 = m.f0.at(0);
+    surface.roughness = m.roughness.at(0);
+    const glm::vec3 further = compensation_term(setup, surface, m.n_dot_l.at(0), m.n_dot_v.at(0));
+    section.equation("f_ms", "F_ms (1 - E(n·l))(1 - E(n·v)) / (π (1 - E_avg)) · (n·l)", "", further,
+                     "Kulla and Conty: light that leaves after several bounces");
+    section.equation("f_S", "f_S + f_ms", vector_text(terms.specular) + " + " + vector_text(further),
+                     terms.specular + further);
+    return {terms.diffuse, terms.specular + further};
+}
+
+}  // namespace kreda::tools
