@@ -47,15 +47,15 @@ bool save(const char* path, const raster::Image& encoded) {
 using namespace kreda;
 
 [[gnu::used]] bool kreda_save_image(const raster::Image* image, const char* path) {
-    return save(path, develop(*image, raster::FilmSettings{}));
+    return tools::save(path, develop(*image, raster::FilmSettings{}));
 }
 
 [[gnu::used]] bool kreda_save_visibility(const raster::VisibilityBuffer* buffer, const char* path) {
-    return save(path, picture_of_depth(buffer->depth.data(), buffer->width, buffer->height));
+    return tools::save(path, tools::picture_of_depth(buffer->depth.data(), buffer->width, buffer->height));
 }
 
 [[gnu::used]] bool kreda_save_tile(const raster::TileVisibility* tile, const char* path) {
-    return save(path, picture_of_depth(tile->depth, raster::kTileSide, raster::kTileSide));
+    return tools::save(path, tools::picture_of_depth(tile->depth, raster::kTileSide, raster::kTileSide));
 }
 
 [[gnu::used]] bool kreda_save_frame_depth(const scene::Frame* frame, const char* path) {

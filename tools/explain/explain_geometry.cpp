@@ -13,7 +13,6 @@ namespace kreda::tools {
 
 namespace {
 
-using VertexSpaces;
 using raster::ScreenVertex;
 
 constexpr const char* kCornerNames[3] = {"a", "b", "c"};
