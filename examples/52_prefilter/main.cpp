@@ -1,6 +1,6 @@
 // 52_prefilter: the environment as mirrors of each roughness see it; samples that miss a small sun, and their cure.
-// Page docs/52_prefilter.md | After 51_irradiance, 41_microfacets | New: ggx_half_vector(), prefilter(),
-// alpha_of_level() Break at: ggx_half_vector | Look at: u, alpha, cos2 | Try: kAlpha 0.0625, Sky::studio, kFew 8
+// Page docs/52_prefilter.md | After 51_irradiance, 41_microfacets | New: ggx_half_vector(), prefilter()
+// Break at: ggx_half_vector | Look at: u, alpha, cos2 | Try: kAlpha 0.0625, Sky::studio, kFew 8
 #include <cmath>
 #include <cstdio>
 #include <string>

@@ -1,6 +1,6 @@
-// 94_environment_samples: how many samples one percent costs, for every roughness and sky, and what the bake then
-// takes. Page docs/94_environment_samples.md | After 52_prefilter | New: samples_needed(), what a rule of thumb is
-// worth Break at: lobe_average | Look at: n, alpha, sum, total | Try: kWanted 0.3, kRounds 9
+// 94_environment_samples: how many samples one percent costs, for every roughness and sky, and what a bake takes.
+// Page docs/94_environment_samples.md | After 52_prefilter | New: samples_needed(), what a rule of thumb is worth
+// Break at: lobe_average | Look at: n, alpha, sum, total | Try: kWanted 0.3, kRounds 9
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
