@@ -15,7 +15,7 @@
 #include "scene/files/read_materials.hpp"
 #include "scene/files/read_objects.hpp"
 #include "scene/files/toml_check.hpp"
-#include "scene/plan/shadow_words.hpp"
+#include "scene/shadow_warnings.hpp"
 
 namespace kreda::scene {
 

@@ -1,0 +1,32 @@
+# cmake -DSOURCE=folder -P check_arrows.cmake
+# Every #include of a room leads to itself or to a room that its arrow may reach (README.md, "The rooms").
+set(outside_libraries "OpenImageIO|tiny_obj_loader|toml\\+\\+|CLI/|nlohmann|png\\.h|zlib\\.h")
+set(raster_forbids "lighting/|shadows/|scene/|tools/|examples/|tests/|${outside_libraries}")
+set(lighting_forbids "shadows/|scene/|tools/|examples/|tests/|${outside_libraries}")
+set(shadows_forbids "lighting/|scene/|tools/|examples/|tests/|${outside_libraries}")
+set(scene_forbids "tools/|examples/|tests/|CLI/|nlohmann")
+set(tools_forbids "examples/|tests/|OpenImageIO")
+set(examples_forbids "tests/|OpenImageIO")
+
+# The inner rooms of scene: what a scene is; its files; the plan; running the plan.
+set(scene/files_forbids "scene/plan/|scene/render/")
+set(scene/plan_forbids "scene/files/|scene/render/")
+set(scene/render_forbids "scene/files/")
+
+set(wrong "")
+foreach(room raster lighting shadows scene tools examples scene/files scene/plan scene/render)
+  file(GLOB_RECURSE files ${SOURCE}/${room}/*.cpp ${SOURCE}/${room}/*.hpp)
+  if(NOT files)
+    message(FATAL_ERROR "the room ${room} is empty: has it moved?")
+  endif()
+  foreach(file ${files})
+    file(STRINGS ${file} lines REGEX "^#include [<\"](${${room}_forbids})")
+    file(RELATIVE_PATH name ${SOURCE} ${file})
+    foreach(line ${lines})
+      string(APPEND wrong "${name}: ${line}\n")
+    endforeach()
+  endforeach()
+endforeach()
+if(wrong)
+  message(FATAL_ERROR "arrows that lead the wrong way:\n${wrong}")
+endif()
