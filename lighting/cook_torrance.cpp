@@ -1,5 +1,6 @@
 #include "lighting/cook_torrance.hpp"
 
+#include "lighting/microfacet_choices.hpp"
 #include "raster/platform.hpp"
 
 namespace kreda::lighting {
@@ -93,49 +94,33 @@ CookTorranceSetup prepare(const CookTorranceMaterial& material) {
     return setup;
 }
 
-float distribution_term(Distribution distribution, const MicrofacetAngles& a, float alpha) {
-    switch (distribution) {
-        case Distribution::ggx: return ggx_distribution(a.n_dot_h, a.sin2_h, alpha);
-        case Distribution::beckmann: return beckmann_distribution(a.n_dot_h, a.sin2_h, alpha);
-        case Distribution::blinn_phong: return blinn_phong_distribution(a.n_dot_h, a.sin2_h, alpha);
-        case Distribution::gaussian: return gaussian_distribution(a.n_dot_h, a.sin2_h, alpha);
+FormulaFacts fresnel_facts(const CookTorranceSetup& setup) {
+    FormulaFacts facts = facts_of(setup.fresnel);
+    if (setup.fresnel == FresnelMethod::nvidia && setup.has_bias) {
+        facts.text = "bias + scale (1 - v·h)^power, cut to 0..1";
     }
-    return 0.0f;
+    if (setup.fresnel != FresnelMethod::exact) return facts;
+    facts.name = setup.all_wavelengths ? "exact, whole spectrum"
+                 : setup.absorbs       ? "exact, conductor"
+                                       : "exact, dielectric";
+    facts.text = setup.all_wavelengths ? "mean over wavelengths of (R_s + R_p) / 2 from n, k and v·h"
+                 : setup.absorbs       ? "(R_s + R_p) / 2  from n, k and v·h"
+                 : setup.has_index     ? "(R_s + R_p) / 2  from n and v·h"
+                                       : "(R_s + R_p) / 2  from n(F0) and v·h";
+    if (setup.all_wavelengths) facts.operations = kSpectralFresnelOperations;
+    return facts;
+}
+
+float distribution_term(Distribution distribution, const MicrofacetAngles& a, float alpha) {
+    return with_distribution(distribution, [&](auto D) { return D(a.n_dot_h, a.sin2_h, alpha); });
 }
 
 float visibility_term(Geometry geometry, const MicrofacetAngles& a, float alpha, float roughness) {
-    switch (geometry) {
-        case Geometry::schlick_ggx: return schlick_ggx_visibility(a.n_dot_l, a.n_dot_v, schlick_k_direct(roughness));
-        case Geometry::smith: return smith_visibility(a.n_dot_l, a.n_dot_v, alpha);
-        case Geometry::smith_correlated: return smith_correlated_visibility(a.n_dot_l, a.n_dot_v, alpha);
-        case Geometry::implicit: return implicit_visibility();
-        case Geometry::cook_torrance: return cook_torrance_visibility(a.n_dot_l, a.n_dot_v, a.n_dot_h, a.v_dot_h);
-    }
-    return 0.0f;
+    return with_visibility(geometry, LitBy::lamp, [&](auto V) { return V(a, alpha, roughness); });
 }
 
-glm::vec3 fresnel_term(const CookTorranceSetup& setup, float c, const glm::vec3& f0) {
-    switch (setup.fresnel) {
-        case FresnelMethod::schlick:
-        case FresnelMethod::rescaled_schlick: return fresnel_schlick(c, f0);  // the same, see fresnel_rescaled_schlick
-        case FresnelMethod::exact:
-            if (setup.all_wavelengths) return spectral_fresnel(c, setup.spectrum);
-            if (setup.absorbs) return fresnel_conductor(c, setup.n, setup.k);
-            return fresnel_dielectric(c, setup.has_index ? setup.n : index_from_f0(f0));
-        case FresnelMethod::schlick_ior:
-            return fresnel_schlick_between(c, setup.has_index ? setup.n : index_from_f0(f0));
-        case FresnelMethod::corrected_schlick:
-            return fresnel_corrected_schlick(c, f0, setup.correction_a, setup.correction_lambda);
-        case FresnelMethod::corrected_schlick_as_printed:
-            return fresnel_corrected_schlick_as_printed(c, f0, setup.correction_a, setup.correction_lambda);
-        case FresnelMethod::f82: return fresnel_f82(c, f0, setup.f82_b);
-        case FresnelMethod::table: return fresnel_lookup(c, setup.table);
-        case FresnelMethod::nvidia:
-            if (setup.has_bias) return glm::vec3(fresnel_nvidia(c, setup.nvidia.x, setup.nvidia.y, setup.nvidia.z));
-            return fresnel_nvidia(c, f0, 1.0f - f0, setup.nvidia.z);
-        case FresnelMethod::none: return f0;
-    }
-    return f0;
+glm::vec3 fresnel_term(const CookTorranceSetup& setup, float v_dot_h, const glm::vec3& f0) {
+    return with_fresnel(setup, [&](auto F) { return F(v_dot_h, f0); });
 }
 
 glm::vec3 compensation_term(const CookTorranceSetup& setup, const MicrofacetSurface& surface, float n_dot_l,

@@ -2,9 +2,8 @@
 //   D  microfacets facing the half vector     V = G / (4 (n.l)(n.v))  seen by both     F  Fresnel at v.h
 //   F0 = mix(0.04, albedo, metallic)     k_d = (1 - F)(1 - metallic)     alpha = roughness^2
 //
-// cook_torrance() is the whole formula at one point: for stepping, and the reference for the batch passes. A batch runs
-// the same small functions as passes of their own: angles; one loop a D; one a V; one a Fresnel method; combine. That
-// is 4 + 5 + 8 + 2 loops instead of 4 x 5 x 8, and none of them has a branch.
+// cook_torrance() is the whole formula at one point. A large batch runs the same formulas as passes of their own, each
+// leaving a channel: angles; D; V; F; combine. lighting/microfacet_choices.hpp picks D, V and F for both.
 #pragma once
 
 #include <glm/common.hpp>

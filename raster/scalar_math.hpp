@@ -27,6 +27,10 @@ inline constexpr float kMinNormal = std::numeric_limits<float>::min();  ///< 2^-
 inline constexpr float kMaxFinite = std::numeric_limits<float>::max();  ///< just below 2^128
 inline constexpr float kInfinity = std::numeric_limits<float>::infinity();
 
+/// About how many operations exp() and pow() take: for estimates of what a scene costs.
+inline constexpr double kExpOperations = 25.0;
+inline constexpr double kPowOperations = 60.0;
+
 // ---------------------------------------------------------------------------------------------------- helpers
 
 /// Angle in radians of an angle in degrees. At most 1.5 ulp from the exact product.

@@ -211,11 +211,11 @@ void find_reference(int count, const CookTorranceSetup& surface, const Environme
     for (int k = 0; k < setup.reference_samples; ++k) {
         const glm::vec2 u = hammersley(k, setup.reference_samples);
         choose_mirrored(lanes, u, c);
-        evaluate_microfacets(count, surface, LightKind::image, c);
+        evaluate_microfacets(count, surface, LitBy::image, c);
         look_at_environment(count, setup, c.l, c.environment);
         add_specular_sample(lanes, share, c);
         choose_by_cosine(lanes, u, c);
-        evaluate_microfacets(count, surface, LightKind::image, c);
+        evaluate_microfacets(count, surface, LitBy::image, c);
         look_at_environment(count, setup, c.l, c.environment);
         add_diffuse_sample(lanes, share, c);
         if (surface.energy_compensation == EnergyCompensation::kulla_conty)

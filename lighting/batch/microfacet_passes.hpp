@@ -1,9 +1,10 @@
-// Cook and Torrance's model for a batch: angles, D, V, F, sum; each a loop over one formula. 4 distributions, 5
-// geometries and 10 Fresnel methods are some 20 loops, not 200.
+// Cook and Torrance's model for a batch: angles, D, V, F, sum; each a loop over the one formula that
+// lighting/microfacet_choices.hpp picks.
 #pragma once
 
 #include "lighting/batch/channels.hpp"
 #include "lighting/cook_torrance.hpp"
+#include "lighting/microfacet_choices.hpp"
 
 namespace kreda::lighting {
 
@@ -13,12 +14,8 @@ void fill_surface(int count, const CookTorranceSetup& setup, MicrofacetChannels&
 /// n.v, the same for all lights, from channels.n and channels.v.
 void find_viewing_angle(int count, LightingChannels& channels);
 
-/// Which light asks: Schlick-GGX takes k = (roughness + 1)^2 / 8 for a lamp and k = alpha / 2 for an image (Karis
-/// 2013). The other geometries know no difference.
-enum class LightKind { lamp, image };
-
 /// The other angles, D, V and F of the light in channels.l, channels.n_dot_l.
-void evaluate_microfacets(int count, const CookTorranceSetup& setup, LightKind kind, LightingChannels& channels);
+void evaluate_microfacets(int count, const CookTorranceSetup& setup, LitBy lit_by, LightingChannels& channels);
 
 /// F of the material's method at the cosines in channels.v_dot_h.
 void evaluate_fresnel(int count, const CookTorranceSetup& setup, MicrofacetChannels& channels);

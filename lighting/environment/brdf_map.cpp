@@ -91,7 +91,7 @@ BrdfMap compute_brdf_map(Distribution distribution, Geometry geometry, int sampl
             place_nodes(static_cast<float>(j) / static_cast<float>(kBrdfMapSize - 1), *row);
             for (int k = 0; k < samples; ++k) {
                 reflect_at_facets(lanes, hammersley(k, samples), row->lighting);
-                evaluate_microfacets(kBrdfMapSize, setup, LightKind::image, row->lighting);
+                evaluate_microfacets(kBrdfMapSize, setup, LitBy::image, row->lighting);
                 add_sample(lanes, row->lighting.microfacet, row->scale, row->bias);
             }
             for (int i = 0; i < kBrdfMapSize; ++i) {

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cstdio>
 
+#include "lighting/microfacet_choices.hpp"
 #include "lighting/spectrum.hpp"
 
 namespace kreda::scene {
@@ -22,6 +23,14 @@ std::vector<std::string_view> measured_names() {
     std::vector<std::string_view> names;
     for (const lighting::MeasuredMaterial& material : lighting::measured_materials()) names.push_back(material.name);
     return names;
+}
+
+/// The words of a table of formulas (lighting/microfacet_choices.hpp), in the order of its enumeration.
+template <std::size_t N>
+std::vector<std::string_view> keys_of(const std::array<lighting::FormulaFacts, N>& formulas) {
+    std::vector<std::string_view> keys;
+    for (const lighting::FormulaFacts& formula : formulas) keys.push_back(formula.key);
+    return keys;
 }
 
 std::vector<KeyInfo> make_keys() {
@@ -270,31 +279,9 @@ std::vector<KeyInfo> make_keys() {
         {"material", "metallic", number, "0", "cook_torrance: 0 dielectric, 1 metal", kShare, {}, ""},
         {"material", "roughness", number, "0.5", "cook_torrance: alpha = roughness^2", kShare, {}, ""},
         {"material", "ao", number, "1", "cook_torrance: share of the environment's light that arrives", kShare, {}, ""},
-        {"material",
-         "distribution",
-         word,
-         "\"ggx\"",
-         "cook_torrance: D",
-         kAny,
-         {"ggx", "beckmann", "blinn_phong", "gaussian"},
-         ""},
-        {"material",
-         "geometry",
-         word,
-         "\"schlick_ggx\"",
-         "cook_torrance: G",
-         kAny,
-         {"schlick_ggx", "smith", "smith_correlated", "implicit", "cook_torrance"},
-         ""},
-        {"material",
-         "fresnel",
-         word,
-         "\"schlick\"",
-         "cook_torrance: F",
-         kAny,
-         {"schlick", "exact", "schlick_ior", "rescaled_schlick", "corrected_schlick", "corrected_schlick_as_printed",
-          "f82", "table", "nvidia", "none"},
-         ""},
+        {"material", "distribution", word, "\"ggx\"", "cook_torrance: D", kAny, keys_of(lighting::kDistributions), ""},
+        {"material", "geometry", word, "\"schlick_ggx\"", "cook_torrance: G", kAny, keys_of(lighting::kGeometries), ""},
+        {"material", "fresnel", word, "\"schlick\"", "cook_torrance: F", kAny, keys_of(lighting::kFresnelMethods), ""},
         {"material",
          "table_size",
          whole,

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <string_view>
 
+#include "lighting/microfacet_choices.hpp"
 #include "scene/plan/shadow_cost.hpp"
 
 namespace kreda::scene {
@@ -11,8 +12,7 @@ namespace {
 
 using lighting::ReflectionModel;
 
-constexpr double kPow = 60.0;
-constexpr double kExp = 25.0;
+using raster::kExpOperations, raster::kPowOperations;
 constexpr double kDot = 5.0;
 constexpr double kPositiveDot = kDot + 1.0;
 constexpr double kUnit = kDot + 1.0 + 2.0 + 3.0;  // dot, guard, root and division, three products
@@ -20,50 +20,15 @@ constexpr double kHalfVector = 3.0 + kUnit;
 constexpr double kAddUp = 2.0 * (3.0 + 3.0);  // s times diffuse and specular, added
 constexpr double kMatrixTimesPoint = 28.0;
 
-double distribution_operations(lighting::Distribution distribution) {
-    switch (distribution) {
-        case lighting::Distribution::ggx: return 8.0;
-        case lighting::Distribution::beckmann: return 9.0 + kExp;
-        case lighting::Distribution::blinn_phong: return 50.0 + kExp;
-        case lighting::Distribution::gaussian: return 40.0 + kExp;
-    }
-    return 0.0;
-}
-
-double geometry_operations(lighting::Geometry geometry) {
-    switch (geometry) {
-        case lighting::Geometry::schlick_ggx: return 13.0;
-        case lighting::Geometry::smith: return 18.0;
-        case lighting::Geometry::smith_correlated: return 20.0;
-        case lighting::Geometry::implicit: return 0.0;
-        case lighting::Geometry::cook_torrance: return 12.0;
-    }
-    return 0.0;
-}
-
-double fresnel_operations(const lighting::CookTorranceMaterial& material) {
-    const bool spectrum = !material.measured.empty() && material.spectrum == lighting::SpectrumUse::full;
-    switch (material.fresnel) {
-        case lighting::FresnelMethod::none: return 0.0;
-        case lighting::FresnelMethod::exact: return spectrum ? double{lighting::kSpectrumSamples} * 36.0 : 3.0 * 32.0;
-        case lighting::FresnelMethod::corrected_schlick:
-        case lighting::FresnelMethod::corrected_schlick_as_printed: return 3.0 * (10.0 + kPow);
-        case lighting::FresnelMethod::nvidia: return kPow + 12.0;
-        case lighting::FresnelMethod::f82: return 3.0 * 12.0;
-        case lighting::FresnelMethod::schlick_ior: return 3.0 * 15.0;
-        case lighting::FresnelMethod::table: return 3.0 * 8.0;
-        case lighting::FresnelMethod::schlick:
-        case lighting::FresnelMethod::rescaled_schlick: return 3.0 * 3.0 + 4.0;
-    }
-    return 0.0;
-}
-
 double cook_torrance_operations(const lighting::CookTorranceMaterial& material) {
     constexpr double kAngles = 3.0 * kPositiveDot + kHalfVector + 2.0 + 11.0;
     constexpr double kCombine = 30.0;
     const double compensation = material.energy_compensation == lighting::EnergyCompensation::none ? 0.0 : 90.0;
-    return kAngles + distribution_operations(material.distribution) + geometry_operations(material.geometry) +
-           fresnel_operations(material) + kCombine + compensation;
+    const bool spectral = material.fresnel == lighting::FresnelMethod::exact && !material.measured.empty() &&
+                          material.spectrum == lighting::SpectrumUse::full;
+    const double fresnel = spectral ? lighting::kSpectralFresnelOperations : facts_of(material.fresnel).operations;
+    return kAngles + facts_of(material.distribution).operations + facts_of(material.geometry).operations + fresnel +
+           kCombine + compensation;
 }
 
 struct LitObjects {
@@ -102,7 +67,7 @@ double lighting_operations(const Scene& scene, const RenderPlan& plan, const Lit
 
 double fog_operations(const lighting::Fog& fog) {
     const double distance = 10.0;
-    return distance + (fog.mode == lighting::FogMode::linear ? 6.0 : kExp + 3.0);
+    return distance + (fog.mode == lighting::FogMode::linear ? 6.0 : kExpOperations + 3.0);
 }
 
 double interpolation_operations(const RenderPlan& plan) {
@@ -156,11 +121,12 @@ double reflection_operations(const lighting::Material& material) {
         case ReflectionModel::unlit: return 0.0;
         case ReflectionModel::lambert: return kPositiveDot + 3.0 + kAddUp;
         case ReflectionModel::phong:
-            return kPositiveDot + 3.0 + 12.0 + kPositiveDot + kPow + kPositiveDot + 4.0 + kAddUp;
+            return kPositiveDot + 3.0 + 12.0 + kPositiveDot + kPowOperations + kPositiveDot + 4.0 + kAddUp;
         case ReflectionModel::blinn_phong:
-            return kPositiveDot + 3.0 + kHalfVector + kPositiveDot + kPow + kPositiveDot + 4.0 + kAddUp;
-        case ReflectionModel::ward: return 3.0 * kPositiveDot + kHalfVector + 13.0 + kExp + 15.0 + 7.0 + kAddUp;
-        case ReflectionModel::heidrich_seidel: return 2.0 * kDot + 8.0 + kPositiveDot + kPow + 12.0 + kAddUp;
+            return kPositiveDot + 3.0 + kHalfVector + kPositiveDot + kPowOperations + kPositiveDot + 4.0 + kAddUp;
+        case ReflectionModel::ward:
+            return 3.0 * kPositiveDot + kHalfVector + 13.0 + kExpOperations + 15.0 + 7.0 + kAddUp;
+        case ReflectionModel::heidrich_seidel: return 2.0 * kDot + 8.0 + kPositiveDot + kPowOperations + 12.0 + kAddUp;
         case ReflectionModel::cook_torrance: return cook_torrance_operations(material.cook_torrance) + kAddUp;
     }
     return 0.0;

@@ -4,6 +4,7 @@
 
 #include <glm/geometric.hpp>
 
+#include "lighting/microfacet_choices.hpp"
 #include "tools/explain/explain_light.hpp"
 
 namespace kreda::tools {
@@ -16,60 +17,6 @@ using lighting::EnergyCompensation;
 using lighting::FresnelMethod;
 using lighting::Geometry;
 using lighting::MicrofacetChannels;
-
-/// What a formula is called and how it is written.
-struct Formula {
-    const char* name;
-    const char* text;
-};
-
-Formula formula_of(Distribution distribution) {
-    switch (distribution) {
-        case Distribution::ggx: return {"GGX", "α² / (π (sin²θ_h + (n·h)² α²)²)"};
-        case Distribution::beckmann: return {"Beckmann", "exp(-tan²θ_h / α²) / (π α² (n·h)⁴)"};
-        case Distribution::blinn_phong: return {"Blinn-Phong", "(k + 2) / 2π · (n·h)^k,  k = 2/α² - 2"};
-        case Distribution::gaussian: return {"Gaussian", "c exp(-(θ_h / α)²)"};
-    }
-    return {"", ""};
-}
-
-Formula formula_of(Geometry geometry) {
-    switch (geometry) {
-        case Geometry::schlick_ggx:
-            return {"Schlick-GGX", "1 / (4 ((n·l)(1-k) + k) ((n·v)(1-k) + k)),  k = (roughness + 1)² / 8"};
-        case Geometry::smith: return {"Smith", "1 / ((n·l + √(α² + (1-α²)(n·l)²)) (n·v + √(α² + (1-α²)(n·v)²)))"};
-        case Geometry::smith_correlated:
-            return {"Smith, correlated", "1 / (2 (n·l √(α² + (1-α²)(n·v)²) + n·v √(α² + (1-α²)(n·l)²)))"};
-        case Geometry::implicit: return {"implicit, G = (n·l)(n·v)", "1/4"};
-        case Geometry::cook_torrance:
-            return {"Cook-Torrance", "min(1, 2 (n·h)(n·v) / (v·h), 2 (n·h)(n·l) / (v·h)) / (4 (n·l)(n·v))"};
-    }
-    return {"", ""};
-}
-
-Formula formula_of(const CookTorranceSetup& setup) {
-    switch (setup.fresnel) {
-        case FresnelMethod::schlick: return {"Schlick", "F0 + (1 - F0)(1 - v·h)⁵"};
-        case FresnelMethod::rescaled_schlick: return {"rescaled Schlick", "F0 + (1 - F0)(1 - v·h)⁵,  F0 from n and k"};
-        case FresnelMethod::schlick_ior: return {"Schlick from n", "((n-1)² + 4n (1 - v·h)⁵) / (n+1)²"};
-        case FresnelMethod::exact:
-            if (setup.all_wavelengths)
-                return {"exact, whole spectrum", "mean over wavelengths of (R_s + R_p) / 2 from n, k and v·h"};
-            if (setup.absorbs) return {"exact, conductor", "(R_s + R_p) / 2  from n, k and v·h"};
-            return setup.has_index ? Formula{"exact, dielectric", "(R_s + R_p) / 2  from n and v·h"}
-                                   : Formula{"exact, dielectric", "(R_s + R_p) / 2  from n(F0) and v·h"};
-        case FresnelMethod::corrected_schlick: return {"corrected Schlick", "Schlick - a (v·h)(1 - v·h)^λ"};
-        case FresnelMethod::corrected_schlick_as_printed:
-            return {"corrected Schlick as printed", "Schlick - a (1 - v·h)^λ"};
-        case FresnelMethod::f82: return {"F82", "Schlick - b (v·h)(1 - v·h)⁶"};
-        case FresnelMethod::table: return {"table", "linear between entries of a table over v·h"};
-        case FresnelMethod::nvidia:
-            return setup.has_bias ? Formula{"bias-scale-power", "bias + scale (1 - v·h)^power, cut to 0..1"}
-                                  : Formula{"bias-scale-power", "F0 + (1 - F0)(1 - v·h)^power"};
-        case FresnelMethod::none: return {"constant", "F0"};
-    }
-    return {"", ""};
-}
 
 std::string text(float value) {
     return number_text(value);
@@ -129,19 +76,20 @@ void explain_angles(const lighting::LightingChannels& after, Section& section) {
 }
 
 void explain_D_V_F(const CookTorranceSetup& setup, const MicrofacetChannels& m, Section& section) {
-    const Formula D = formula_of(setup.distribution);
-    const Formula V = formula_of(setup.geometry);
-    const Formula F = formula_of(setup);
-    section.equation("D", D.text, distribution_numbers(setup.distribution, m), m.D.at(0),
-                     std::string("[1/sr] ") + D.name + ": share of microfacets that face h");
-    section.equation("V", V.text, visibility_numbers(setup.geometry, m), m.V.at(0),
+    const lighting::FormulaFacts& D = facts_of(setup.distribution);
+    const lighting::FormulaFacts& V = facts_of(setup.geometry);
+    const lighting::FormulaFacts F = fresnel_facts(setup);
+    section.equation("D", std::string(D.text), distribution_numbers(setup.distribution, m), m.D.at(0),
+                     std::string("[1/sr] ") + std::string(D.name) + ": share of microfacets that face h");
+    section.equation("V", std::string(V.text), visibility_numbers(setup.geometry, m), m.V.at(0),
                      std::string(V.name) + ": G / (4 (n·l)(n·v))");
     section.equation("G", "4 V (n·l)(n·v)", "", 4.0f * m.V.at(0) * m.n_dot_l.at(0) * m.n_dot_v.at(0),
                      "share of them that light and viewer both see");
     const bool schlick = setup.fresnel == FresnelMethod::schlick || setup.fresnel == FresnelMethod::rescaled_schlick;
     const std::string f0 = vector_text(m.f0.at(0));
-    section.equation("F", F.text, schlick ? f0 + " + (1 - " + f0 + ")(1 - " + text(m.v_dot_h.at(0)) + ")⁵" : "",
-                     m.F.at(0), std::string(F.name) + ": share of the light that is reflected");
+    section.equation("F", std::string(F.text),
+                     schlick ? f0 + " + (1 - " + f0 + ")(1 - " + text(m.v_dot_h.at(0)) + ")⁵" : "", m.F.at(0),
+                     std::string(F.name) + ": share of the light that is reflected");
 }
 
 }  // namespace
