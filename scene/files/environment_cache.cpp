@@ -10,7 +10,7 @@
 
 #include "lighting/environment/environment_image.hpp"
 #include "scene/error.hpp"
-#include "scene/files/image_file.hpp"
+#include "scene/files/hash_of_bytes.hpp"
 #include "scene/files/map_file.hpp"
 #include "scene/files/whole_file.hpp"
 

@@ -1,18 +1,16 @@
-// The only file that includes OpenImageIO: its headers take seconds to compile.
+// The only file that includes OpenImageIO: its headers take seconds to compile, and its libraries longer to load than
+// most pictures to draw. It is a module, which scene/files/image_module.cpp opens when it is needed.
 #include "scene/files/image_file.hpp"
 
 #include <algorithm>
-#include <cctype>
-#include <cmath>
 #include <filesystem>
 #include <memory>
 
 #include <OpenImageIO/filesystem.h>
-#include <OpenImageIO/hash.h>
 #include <OpenImageIO/imageio.h>
 
 #include "scene/error.hpp"
-#include "scene/files/whole_file.hpp"
+#include "scene/files/image_module.hpp"
 
 namespace kreda::scene {
 
@@ -20,25 +18,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-std::string lower_case_extension(const std::string& path) {
-    std::string extension = fs::path(path).extension().string();
-    for (char& c : extension) c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
-    return extension;
-}
-
-void check_output_path(const std::string& path, const std::string& extension) {
-    if (lower_case_extension(path) != extension) {
-        throw UserError(Place{path}, "this picture is written as " + extension +
-                                         "; pictures are .png (8-bit sRGB) or .exr (linear float)");
-    }
-    const fs::path folder = fs::path(path).parent_path();
-    if (!folder.empty() && !fs::is_directory(folder)) {
-        throw UserError(Place{path}, "the folder " + folder.string() + " does not exist; create it first");
-    }
-    if (fs::is_directory(path)) throw UserError(Place{path}, "is a folder; a picture needs a file name");
-}
-
-/// The bytes of the file. They are made in memory because the library's PNG writer does not notice a full disk.
+/// The bytes of the file.
 std::vector<unsigned char> encode(const std::string& path, const std::string& format, const OIIO::ImageSpec& spec,
                                   OIIO::TypeDesc type, const void* interleaved) {
     const std::unique_ptr<OIIO::ImageOutput> output = OIIO::ImageOutput::create(format);
@@ -48,25 +28,6 @@ std::vector<unsigned char> encode(const std::string& path, const std::string& fo
                             output->write_image(type, interleaved) && output->close();
     if (!is_encoded) throw UserError(Place{path}, "cannot be written: " + output->geterror());
     return memory.buffer();
-}
-
-template <typename Value, typename Convert>
-std::vector<Value> interleave(const raster::Image& image, Convert convert) {
-    std::vector<Value> values(image.values.size());
-    const std::size_t pixels = image.plane_size();
-    const std::size_t channels = static_cast<std::size_t>(image.channels);
-    for (std::size_t c = 0; c < channels; ++c) {
-        for (std::size_t i = 0; i < pixels; ++i) values[i * channels + c] = convert(image.values[c * pixels + i]);
-    }
-    return values;
-}
-
-void check_not_empty(const std::string& path, const raster::Image& image) {
-    if (image.width < 1 || image.height < 1 || image.channels < 1) {
-        throw UserError(Place{path}, "an image of " + std::to_string(image.width) + " x " +
-                                         std::to_string(image.height) + " pixels cannot be written");
-    }
-    KREDA_EXPECT(image.values.size() == image.plane_size() * static_cast<std::size_t>(image.channels));
 }
 
 std::string size_text(const OIIO::ImageSpec& spec) {
@@ -143,19 +104,6 @@ StoredImage read_with_oiio(const std::string& path, const ImageReadOptions& opti
 
 }  // namespace
 
-std::uint8_t byte_from_encoded(float encoded) {
-    if (!(encoded > 0.0f)) return 0;  // true for NaN as well
-    return static_cast<std::uint8_t>(std::lround(255.0f * std::min(encoded, 1.0f)));
-}
-
-std::uint64_t hash_of_bytes(std::span<const std::byte> bytes, std::uint64_t seed) {
-    return OIIO::xxhash::XXH64(bytes.data(), bytes.size(), seed);
-}
-
-raster::Image read_image(const std::string& path, const ImageReadOptions& options) {
-    return read_stored_image(path, options).image;
-}
-
 StoredImage read_stored_image(const std::string& path, const ImageReadOptions& options) {
     check_is_file(path);
     try {
@@ -167,29 +115,21 @@ StoredImage read_stored_image(const std::string& path, const ImageReadOptions& o
     }
 }
 
-void write_png(const std::string& path, const raster::Image& encoded) {
-    check_output_path(path, ".png");
-    check_not_empty(path, encoded);
-    KREDA_EXPECT(encoded.channels == 1 || encoded.channels == 3);
-    OIIO::ImageSpec spec(encoded.width, encoded.height, encoded.channels, OIIO::TypeUInt8);
-    spec.attribute("oiio:ColorSpace", "sRGB");
-    const auto bytes = interleave<std::uint8_t>(encoded, byte_from_encoded);
-    const std::vector<unsigned char> file = encode(path, "png", spec, OIIO::TypeUInt8, bytes.data());
-    write_whole_file(path, {std::as_bytes(std::span(file))});
-}
-
-void write_exr(const std::string& path, const raster::Image& linear, const std::vector<std::string>& channel_names) {
-    check_output_path(path, ".exr");
-    check_not_empty(path, linear);
-    KREDA_EXPECT(static_cast<std::size_t>(linear.channels) == channel_names.size());
-    OIIO::ImageSpec spec(linear.width, linear.height, linear.channels, OIIO::TypeFloat);
-    spec.channelnames = channel_names;
+std::vector<unsigned char> encode_exr(const std::string& path, const InterleavedImage& image) {
+    const int channels = static_cast<int>(image.channel_names.size());
+    OIIO::ImageSpec spec(image.width, image.height, channels, OIIO::TypeFloat);
+    spec.channelnames = image.channel_names;
     spec.attribute("compression", "zip");
     spec.attribute("DateTime", "1970:01:01 00:00:00");  // otherwise the time of writing, and no two files are equal
     spec.attribute("oiio:ColorSpace", "Linear");
-    const auto values = interleave<float>(linear, [](float value) { return value; });
-    const std::vector<unsigned char> file = encode(path, "openexr", spec, OIIO::TypeFloat, values.data());
-    write_whole_file(path, {std::as_bytes(std::span(file))});
+    return encode(path, "openexr", spec, OIIO::TypeFloat, image.values.data());
 }
 
 }  // namespace kreda::scene
+
+/// The only name that the module shows.
+extern "C" __attribute__((visibility("default"))) const kreda::scene::ImageModule* kreda_image_module() {
+    static const kreda::scene::ImageModule module{.read_stored_image = kreda::scene::read_stored_image,
+                                                  .encode_exr = kreda::scene::encode_exr};
+    return &module;
+}

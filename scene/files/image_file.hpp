@@ -1,10 +1,8 @@
-// Image files through OpenImageIO, checked: sizes are bounded before anything is allocated, files appear whole or not
-// at all.
+// Image files, checked: sizes are bounded before anything is allocated, files appear whole or not at all. OpenImageIO
+// reads them and writes EXR; it is loaded when the first is needed (scene/files/image_module.hpp). libpng writes PNG.
 #pragma once
 
-#include <cstddef>
 #include <cstdint>
-#include <span>
 #include <string>
 #include <vector>
 
@@ -31,9 +29,6 @@ struct StoredImage {
 
 /// The same with the depth of the file.
 [[nodiscard]] StoredImage read_stored_image(const std::string& path, const ImageReadOptions& options = {});
-
-/// 64 bits that tell contents apart (xxHash, which comes with OpenImageIO); `seed`: the hash of what came before.
-[[nodiscard]] std::uint64_t hash_of_bytes(std::span<const std::byte> bytes, std::uint64_t seed = 0);
 
 /// The byte that a PNG holds for an encoded value: round(255 c), c clamped to 0..1, NaN to 0.
 [[nodiscard]] std::uint8_t byte_from_encoded(float encoded);

@@ -4,7 +4,7 @@
 #include <cstring>
 #include <fstream>
 
-#include "scene/files/image_file.hpp"
+#include "scene/files/hash_of_bytes.hpp"
 #include "scene/files/whole_file.hpp"
 
 namespace kreda::scene {

@@ -15,6 +15,10 @@ struct Outcome {
 /// Start `kreda args...` with `folder` as its current folder and wait for its end.
 [[nodiscard]] Outcome run_kreda(const std::vector<std::string>& args, const std::string& folder);
 
+/// The same with another program, or a copy of kreda elsewhere.
+[[nodiscard]] Outcome run_program(const std::string& program, const std::vector<std::string>& args,
+                                  const std::string& folder);
+
 /// Number of lines; a last one without '\n' counts.
 [[nodiscard]] int line_count(const std::string& text);
 
