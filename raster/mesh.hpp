@@ -20,14 +20,18 @@ struct MeshPart {
 };
 
 /// Triangles are counter-clockwise seen from outside. Every attribute array that is not empty has one entry a vertex.
+/// A point of the file's is origin + unit * position: a float has 7 digits, and a mesh far from 0 needs them for its
+/// shape.
 struct Mesh {
-    std::vector<glm::vec3> positions;  ///< object space
+    std::vector<glm::vec3> positions;  ///< object space, from the mesh's origin in its unit
     std::vector<glm::vec3> normals;    ///< object space, unit
     std::vector<glm::vec2> uvs;        ///< (0,0) lower left of the texture; empty: the mesh has none
     std::vector<glm::vec4>
         tangents;  ///< xyz unit, along growing u; w = +1, or -1 where uv is mirrored: make_tangents()
     std::vector<std::uint32_t> indices;  ///< three a triangle, each < positions.size()
     std::vector<MeshPart> parts;         ///< cover all triangles, in order
+    glm::dvec3 origin{0.0};              ///< object space; not 0 for meshes far from it
+    double unit = 1.0;                   ///< a power of two; not 1 for meshes that are tiny or huge
 
     [[nodiscard]] std::uint32_t triangle_count() const {
         return static_cast<std::uint32_t>(indices.size() / 3);

@@ -57,15 +57,17 @@ struct ShadingSettings {
 struct Object {
     std::string mesh_name;                     ///< as written in the scene file
     std::shared_ptr<const raster::Mesh> mesh;  ///< shared when several objects name the same file and settings
-    glm::mat4 world_from_object{1.0f};
-    std::vector<int> part_material;  ///< for each part of the mesh: index into Scene::materials
-    std::vector<bool> part_hidden;   ///< for each part of the mesh: not drawn
+    glm::mat4 world_from_object{1.0f};         ///< of the mesh's positions; the mesh's origin and the scene's are in it
+    std::vector<int> part_material;            ///< for each part of the mesh: index into Scene::materials
+    std::vector<bool> part_hidden;             ///< for each part of the mesh: not drawn
     bool casts_shadow = true;
 };
 
 struct Scene {
     std::string file;  ///< where it came from; empty: built in
     ImageSettings image;
+    glm::dvec3 origin{
+        0.0};  ///< of all places below, in the file's world; 0 unless they are far from it: see origin.hpp
     raster::Camera camera;
     ShadingSettings shading;
     glm::vec3 ambient{0.05f};  ///< s_A

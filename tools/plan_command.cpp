@@ -4,6 +4,7 @@
 
 #include <CLI/CLI.hpp>
 
+#include "scene/plan/origin_words.hpp"
 #include "scene/plan/plan.hpp"
 #include "tools/commands.hpp"
 #include "tools/scene_options.hpp"
@@ -32,7 +33,11 @@ void add_plan_command(CLI::App& app) {
         "drawn: an operation is one +, -, *, /, root or comparison of one number, pow counts 60, exp 25; every sample "
         "counts as\n"
         "covered. Buffers of a tile or batch exist once a thread. kreda render --time measures.");
-    command->callback([options] { std::cout << describe(make_plan(load_scene(options->scene)), options->why_not); });
+    command->callback([options] {
+        const scene::Scene scene = load_scene(options->scene);
+        if (scene::is_far_from_zero(scene)) std::cout << scene::origin_sentence(scene) << "\n";
+        std::cout << describe(make_plan(scene), options->why_not);
+    });
 }
 
 }  // namespace kreda::tools

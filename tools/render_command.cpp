@@ -12,6 +12,7 @@
 
 #include "raster/film.hpp"
 #include "scene/files/image_file.hpp"
+#include "scene/plan/origin_words.hpp"
 #include "scene/render/light_depth.hpp"
 #include "scene/render/render.hpp"
 #include "tools/bake/bake_scene.hpp"
@@ -125,6 +126,7 @@ void write_view(const std::string& path, const scene::View& view, const raster::
     }
     std::cerr << "wrote " << path << " (" << values.width << " x " << values.height << "), " << view.name << ": "
               << view.meaning << "\n";
+    if (view.name == "position" && scene::is_far_from_zero(scene)) std::cerr << scene::origin_sentence(scene) << "\n";
 }
 
 void write_picture(const std::string& path, const raster::Image& film, const scene::ImageSettings& settings) {

@@ -16,6 +16,7 @@
 #include "raster/platform.hpp"
 #include "raster/polygon.hpp"
 #include "scene/files/mtl_file.hpp"
+#include "scene/files/obj_centre.hpp"
 #include "scene/files/obj_polygons.hpp"
 #include "scene/files/obj_scan.hpp"
 
@@ -234,6 +235,7 @@ LoadedMesh load_mesh_file(const std::string& path, const MeshFileOptions& option
     ObjScan scan = scan_obj(text);
     MtlMaterials materials = read_materials(text, scan, options.allow_outside);
     ObjPolygons obj = read_polygons(text, scan);
+    const MeshFrame frame = keep_about_centre(scan, obj);
     Triangulation cut = triangulate(obj, scan, materials);
     if (count(cut.triangles) == 0) throw UserError(Place{path}, "holds no triangle; all its faces use a corner twice");
 
@@ -246,6 +248,8 @@ LoadedMesh load_mesh_file(const std::string& path, const MeshFileOptions& option
                        "this face crosses itself or has no area; such faces: " + std::to_string(cut.bad_polygons)));
     }
     loaded.mesh = build_mesh(scan, options.normals, obj, cut.triangles, loaded.warnings, path);
+    loaded.mesh.origin = frame.origin;
+    loaded.mesh.unit = frame.unit;
     loaded.materials = std::move(materials.materials);
     return loaded;
 }

@@ -29,6 +29,7 @@ struct SharedMesh {
 struct ObjectReader {
     const std::string& folder;
     const ReadOptions& options;
+    Placements& placements;
     Scene& scene;
     std::size_t named_materials;               ///< the [[material]]s; those of mesh files come after them
     int default_material = -1;                 ///< index, -1: not needed so far
@@ -135,20 +136,16 @@ std::vector<bool> hidden_parts(const Value& table, const raster::Mesh& mesh) {
     return hidden;
 }
 
-glm::mat4 read_placement(const Value& table) {
-    glm::vec3 translate(0.0f);
-    glm::vec3 rotate(0.0f);
-    glm::vec3 scale(1.0f);
-    read(table, "translate", translate);
-    read(table, "rotate", rotate);
-    read(table, "scale", scale);
+ObjectPlacement read_placement(const Value& table) {
+    ObjectPlacement placement;
+    placement.scale_place = place_of(table, "scale");
+    placement.place = find(table, "translate") ? place_of(table, "translate") : place_of(table, "mesh");
+    read(table, "translate", placement.translate);
+    read(table, "rotate", placement.rotate_deg);
+    read(table, "scale", placement.scale);
     const Value* factor = find(table, "scale");
-    if (factor && factor->items.empty()) scale = glm::vec3(static_cast<float>(factor->number));
-    for (int i = 0; i < 3; ++i) {
-        if (std::abs(scale[i]) >= 1e-9f) continue;
-        throw UserError(factor->place, "'scale' in [[object]] must not be 0: it would flatten the object");
-    }
-    return world_from_object(translate, rotate, scale);
+    if (factor && factor->items.empty()) placement.scale = glm::dvec3(factor->number);
+    return placement;
 }
 
 void ObjectReader::read_object(const Value& table) {
@@ -159,7 +156,7 @@ void ObjectReader::read_object(const Value& table) {
     }
     Object object;
     object.mesh_name = name->text;
-    object.world_from_object = read_placement(table);
+    placements.objects.push_back(read_placement(table));
     const Value* material = find(table, "material");
     const int chosen = material ? material_named(*material) : -1;
     const SharedMesh shared = mesh_of(table);
@@ -176,15 +173,18 @@ void ObjectReader::read_object(const Value& table) {
 
 }  // namespace
 
-glm::mat4 world_from_object(glm::vec3 translate, glm::vec3 rotate_deg, glm::vec3 scale) {
-    const glm::dvec3 angle = glm::radians(glm::dvec3(rotate_deg));
+glm::dmat4 placed(const glm::dvec3& translate, const glm::dvec3& rotate_deg, const glm::dvec3& scale) {
+    const glm::dvec3 angle = glm::radians(rotate_deg);
     const glm::dmat4 identity(1.0);
-    const glm::dmat4 t = glm::translate(identity, glm::dvec3(translate));
+    const glm::dmat4 t = glm::translate(identity, translate);
     const glm::dmat4 rx = glm::rotate(identity, angle.x, glm::dvec3(1.0, 0.0, 0.0));
     const glm::dmat4 ry = glm::rotate(identity, angle.y, glm::dvec3(0.0, 1.0, 0.0));
     const glm::dmat4 rz = glm::rotate(identity, angle.z, glm::dvec3(0.0, 0.0, 1.0));
-    const glm::dmat4 s = glm::scale(identity, glm::dvec3(scale));
-    return glm::mat4(t * rz * ry * rx * s);
+    return t * rz * ry * rx * glm::scale(identity, scale);
+}
+
+glm::mat4 world_from_object(glm::vec3 translate, glm::vec3 rotate_deg, glm::vec3 scale) {
+    return glm::mat4(placed(glm::dvec3(translate), glm::dvec3(rotate_deg), glm::dvec3(scale)));
 }
 
 namespace {
@@ -203,10 +203,11 @@ void check_parts(const Scene& scene) {
 
 }  // namespace
 
-void read_objects(const Value& root, const std::string& folder, const ReadOptions& options, Scene& scene) {
+void read_objects(const Value& root, const std::string& folder, const ReadOptions& options, Placements& placements,
+                  Scene& scene) {
     const Value* objects = find(root, "object");
     if (!objects) return;
-    ObjectReader reader{folder, options, scene, scene.materials.size(), -1, {}};
+    ObjectReader reader{folder, options, placements, scene, scene.materials.size(), -1, {}};
     for (const Value& table : objects->items) reader.read_object(table);
     check_parts(scene);
 }

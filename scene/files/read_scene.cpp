@@ -11,11 +11,13 @@
 
 #include "scene/files/load_maps.hpp"
 #include "scene/files/overrides.hpp"
+#include "scene/files/place_scene.hpp"
 #include "scene/files/read_environment.hpp"
 #include "scene/files/read_materials.hpp"
 #include "scene/files/read_objects.hpp"
 #include "scene/files/toml_check.hpp"
 #include "scene/shadow_warnings.hpp"
+#include "scene/view_warnings.hpp"
 
 namespace kreda::scene {
 
@@ -67,8 +69,8 @@ ImageSettings read_image(const Value& table) {
     return image;
 }
 
-void check_view(const Value& table, const raster::Camera& camera) {
-    const glm::dvec3 view = glm::dvec3(camera.target) - glm::dvec3(camera.position);
+void check_view(const Value& table, const Placements& placements, const raster::Camera& camera) {
+    const glm::dvec3 view = placements.camera_target - placements.camera_position;
     const glm::dvec3 up(camera.up);
     const Place& place = place_of(table, find(table, "position") ? "position" : "target");
     if (glm::length(view) < kLeastLength) {
@@ -85,17 +87,17 @@ void check_view(const Value& table, const raster::Camera& camera) {
     }
 }
 
-raster::Camera read_camera(const Value& table) {
+raster::Camera read_camera(const Value& table, Placements& placements) {
     raster::Camera camera;
-    read(table, "position", camera.position);
-    read(table, "target", camera.target);
+    read(table, "position", placements.camera_position);
+    read(table, "target", placements.camera_target);
     read(table, "up", camera.up);
     read_word(table, "projection", camera.projection);
     read(table, "vertical_fov", camera.vertical_fov_deg);
     read(table, "height", camera.height);
     read(table, "near", camera.near);
     read(table, "far", camera.far);
-    check_view(table, camera);
+    check_view(table, placements, camera);
     if (camera.far <= camera.near) {
         const Place& place = place_of(table, find(table, "far") ? "far" : "near");
         throw UserError(place, "'far' in [camera] must be greater than 'near'");
@@ -132,11 +134,13 @@ void read_cone(const Value& table, lighting::Light& light) {
     throw UserError(cone->place, "'cone' in [[light]]: the first angle must not exceed the second");
 }
 
-lighting::Light read_light(const Value& table) {
+lighting::Light read_light(const Value& table, Placements& placements) {
     lighting::Light light;
     read_word(table, "type", light.type);
     read(table, "direction", light.direction);
-    read(table, "position", light.position);
+    LightPlacement placement{glm::dvec3(light.position), place_of(table, "position")};
+    read(table, "position", placement.position);
+    placements.lights.push_back(placement);
     read(table, "color", light.color);
     read(table, "intensity", light.intensity);
     light.attenuation = read_attenuation(table);
@@ -190,12 +194,15 @@ lighting::Fog read_fog(const Value& table) {
 Scene build_scene(const Value& root, const std::string& name, const std::string& folder, const ReadOptions& options) {
     Scene scene;
     scene.file = name;
+    Placements placements;
+    placements.camera_position = scene.camera.position;
+    placements.camera_target = scene.camera.target;
     if (const Value* table = find(root, "image")) scene.image = read_image(*table);
-    if (const Value* table = find(root, "camera")) scene.camera = read_camera(*table);
+    if (const Value* table = find(root, "camera")) scene.camera = read_camera(*table, placements);
     if (const Value* table = find(root, "shading")) scene.shading = read_shading(*table);
     if (const Value* table = find(root, "ambient")) read(*table, "color", scene.ambient);
     if (const Value* tables = find(root, "light")) {
-        for (const Value& table : tables->items) scene.lights.push_back(read_light(table));
+        for (const Value& table : tables->items) scene.lights.push_back(read_light(table, placements));
     }
     if (const Value* table = find(root, "shadow")) scene.shadow = read_shadow(*table, scene.shading.frequency);
     if (const Value* table = find(root, "environment")) {
@@ -204,9 +211,11 @@ Scene build_scene(const Value& root, const std::string& name, const std::string&
     check_background(root, scene);
     if (const Value* table = find(root, "fog")) scene.fog = read_fog(*table);
     if (const Value* tables = find(root, "material")) read_materials(*tables, folder, scene);
-    read_objects(root, folder, options, scene);
+    read_objects(root, folder, options, placements, scene);
+    place_scene(placements, scene);
     load_maps(scene);
     for (const std::string& warning : shadow_warnings(scene)) scene.warnings.push_back(name + ": " + warning);
+    for (const std::string& warning : view_warnings(scene)) scene.warnings.push_back(name + ": " + warning);
     return scene;
 }
 

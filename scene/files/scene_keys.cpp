@@ -13,6 +13,7 @@ namespace {
 using enum KeyType;
 
 constexpr Range kAny{};
+constexpr Range kPlace{-kFarthest, kFarthest};  // read in double; what matters is the distance to the camera
 constexpr Range kNotNegative{0.0, 1e9};
 constexpr Range kPositive{1e-9, 1e9};
 constexpr Range kShare{0.0, 1.0};
@@ -65,8 +66,8 @@ std::vector<KeyInfo> make_keys() {
          ""},
         {"image", "gamma", number, "2.2", "transfer = \"gamma\": the exponent", kPositive, {}, ""},
 
-        {"camera", "position", vector, "[0, 1, 4]", "where the camera is", kAny, {}, ""},
-        {"camera", "target", vector, "[0, 0, 0]", "the point it looks at", kAny, {}, ""},
+        {"camera", "position", vector, "[0, 1, 4]", "where the camera is", kPlace, {}, ""},
+        {"camera", "target", vector, "[0, 0, 0]", "the point it looks at", kPlace, {}, ""},
         {"camera", "up", vector, "[0, 1, 0]", "what is up in the picture", kAny, {}, ""},
         {"camera",
          "projection",
@@ -117,7 +118,7 @@ std::vector<KeyInfo> make_keys() {
          {"directional", "point", "spot"},
          ""},
         {"light", "direction", vector, "[-1, -2, -1]", "directional, spot: the way the light travels", kAny, {}, ""},
-        {"light", "position", vector, "[2, 3, 1]", "point, spot: where it is", kAny, {}, ""},
+        {"light", "position", vector, "[2, 3, 1]", "point, spot: where it is", kPlace, {}, ""},
         {"light", "color", vector, "[1, 1, 1]", "linear RGB", kNotNegative, {}, ""},
         {"light", "intensity", number, "1.0", "multiplies color", kNotNegative, {}, ""},
         {"light",
@@ -443,7 +444,7 @@ std::vector<KeyInfo> make_keys() {
          {"file", "smooth", "flat"},
          ""},
         {"object", "material", text, "", "without it, the OBJ's own MTL materials", kAny, {}, "\"gold\""},
-        {"object", "translate", vector, "[0, 0, 0]", "moved last", kAny, {}, ""},
+        {"object", "translate", vector, "[0, 0, 0]", "moved last", kPlace, {}, ""},
         {"object", "rotate", vector, "[0, 0, 0]", "degrees about x, then y, then z", kAny, {}, "[0, 45, 0]"},
         {"object", "scale", number_or_vector, "[1, 1, 1]", "scaled first; not 0", kAny, {}, ""},
         {"object", "hide", texts, "[]", "parts (OBJ groups or objects) that are not drawn", kAny, {}, "[\"lid\"]"},

@@ -30,6 +30,9 @@ struct Range {
     bool open = false;  ///< the ends themselves are refused
 };
 
+/// Places (positions, translate) may be farther from 0 than other numbers are large: only differences of them are used.
+constexpr double kFarthest = 1e25;
+
 struct KeyInfo {
     std::string_view table;  ///< "camera"; for [[light]] "light"
     std::string_view key;

@@ -37,7 +37,7 @@ std::string describe(const Value& value) {
     return "a list of " + std::to_string(value.items.size()) + (value.items.size() == 1 ? " value" : " values");
 }
 
-constexpr double kBeyond = 1e12;  // outside every range, inside float
+constexpr double kBeyond = 1e30;  // outside every range, inside float
 
 /// Ranges are of floats, because that is what the scene holds: 1e-50 is not > 0 there.
 bool in_range(double number, const Range& range) {
@@ -52,8 +52,9 @@ void check_number(const Value& value, const KeyInfo& info, const std::string& fo
     if (whole ? value.kind != ValueKind::integer : !is_number(value)) throw_unexpected(value.place, info, found);
     const std::string sentence = subject(info) + " is " + found;
     if (!std::isfinite(value.number)) throw UserError(value.place, sentence + "; expected a finite number");
-    if (std::abs(value.number) > Range{}.greatest && info.range.greatest == Range{}.greatest) {
-        throw UserError(value.place, sentence + "; numbers beyond 1e9 are refused");
+    if (std::abs(value.number) > info.range.greatest && info.range.greatest >= Range{}.greatest) {
+        const char* const limit = info.range.greatest > Range{}.greatest ? "1e25" : "1e9";
+        throw UserError(value.place, sentence + "; numbers beyond " + limit + " are refused");
     }
     if (!in_range(value.number, info.range)) throw_unexpected(value.place, info, found);
 }
@@ -188,6 +189,12 @@ void read(const Value& table, std::string_view key, glm::vec3& result) {
     const Value* value = find(table, key);
     if (!value || value->items.size() != 3) return;
     for (int i = 0; i < 3; ++i) result[i] = static_cast<float>(value->items[static_cast<std::size_t>(i)].number);
+}
+
+void read(const Value& table, std::string_view key, glm::dvec3& result) {
+    const Value* value = find(table, key);
+    if (!value || value->items.size() != 3) return;
+    for (int i = 0; i < 3; ++i) result[i] = value->items[static_cast<std::size_t>(i)].number;
 }
 
 void read(const Value& table, std::string_view key, std::string& result) {

@@ -22,6 +22,7 @@ void read(const Value& table, std::string_view key, bool& result);
 void read(const Value& table, std::string_view key, int& result);
 void read(const Value& table, std::string_view key, float& result);
 void read(const Value& table, std::string_view key, glm::vec3& result);
+void read(const Value& table, std::string_view key, glm::dvec3& result);
 void read(const Value& table, std::string_view key, std::string& result);
 
 /// The position of a word among the words of its key; -1 when the key is absent.

@@ -6,6 +6,7 @@
 
 #include "raster/camera.hpp"
 #include "raster/depth.hpp"
+#include "scene/plan/origin_words.hpp"
 #include "scene/render/render.hpp"
 #include "tools/explain/explain.hpp"
 
@@ -89,6 +90,9 @@ void explain_spaces(const SampleFacts& sample, const SourceTriangle& source, Der
     const scene::Frame& frame = sample.frame;
     const raster::MeshInstance& instance = frame.buffers.instances[source.object];
     Section section{"spaces", "its corners through the spaces", {}};
+    if (scene::is_far_from_zero(frame.scene)) section.say(scene::origin_sentence(frame.scene));
+    const std::string about = scene::mesh_origin_sentence(*instance.mesh);
+    if (!about.empty()) section.say(about);
     put_matrix("world_from_object", instance.world_from_object, section);
     put_matrix("view_from_world", view_from_world(frame.scene.camera), section);
     const float aspect = static_cast<float>(frame.scene.image.width) / static_cast<float>(frame.scene.image.height);

@@ -1,0 +1,98 @@
+#include "scene/files/obj_centre.hpp"
+
+#include <algorithm>
+#include <charconv>
+#include <cmath>
+#include <limits>
+#include <string_view>
+#include <vector>
+
+#include <glm/common.hpp>
+#include <glm/geometric.hpp>
+
+#include "raster/platform.hpp"
+
+namespace kreda::scene {
+
+namespace {
+
+/// The middle and the radius of the box around the positions that a face uses.
+struct Extent {
+    glm::dvec3 middle{0.0};
+    double radius = 0.0;
+};
+
+template <class Position>
+Extent extent_of(const std::vector<Position>& positions, const std::vector<ObjCorner>& corners) {
+    if (corners.empty()) return {};
+    glm::dvec3 least(std::numeric_limits<double>::max()), greatest = -least;
+    for (const ObjCorner& corner : corners) {
+        const glm::dvec3 p(positions[static_cast<std::size_t>(corner.position)]);
+        least = glm::min(least, p);
+        greatest = glm::max(greatest, p);
+    }
+    return {0.5 * least + 0.5 * greatest, glm::length(0.5 * greatest - 0.5 * least)};
+}
+
+bool is_far(const Extent& extent) {
+    const glm::dvec3 m = glm::abs(extent.middle);
+    return std::max({m.x, m.y, m.z}) > kFarFromZero * extent.radius;
+}
+
+bool is_ordinary_size(const Extent& extent) {
+    return extent.radius >= 1.0 / kOrdinaryRadius && extent.radius <= kOrdinaryRadius;
+}
+
+/// The next number of a statement that the scan has checked; what is too small for a double is 0.
+double take_number(std::string_view& line) {
+    line.remove_prefix(std::min(line.find_first_not_of(" +"), line.size()));
+    double number = 0.0;
+    const std::from_chars_result result = std::from_chars(line.data(), line.data() + line.size(), number);
+    line.remove_prefix(static_cast<std::size_t>(result.ptr - line.data()));
+    return result.ec == std::errc() ? number : 0.0;
+}
+
+/// The `v` statements in double. The library reads them to seven digits.
+std::vector<glm::dvec3> read_positions(const ObjScan& scan, std::size_t count) {
+    std::vector<glm::dvec3> positions;
+    positions.reserve(count);
+    std::string_view rest = scan.statements;
+    while (!rest.empty()) {
+        const std::size_t end = rest.find('\n');
+        std::string_view line = rest.substr(0, end);
+        rest.remove_prefix(std::min(line.size() + 1, rest.size()));
+        if (!line.starts_with("v ")) continue;
+        line.remove_prefix(1);
+        const double x = take_number(line), y = take_number(line), z = take_number(line);
+        positions.emplace_back(x, y, z);
+    }
+    KREDA_EXPECT(positions.size() == count);
+    return positions;
+}
+
+/// Rounded to the power of two at or below.
+double power_of_two(double x) {
+    return std::exp2(std::floor(std::log2(x)));
+}
+
+}  // namespace
+
+MeshFrame keep_about_centre(const ObjScan& scan, ObjPolygons& obj) {
+    const Extent rough = extent_of(obj.positions, obj.corners);
+    if (!is_far(rough) && is_ordinary_size(rough)) return {};
+    const std::vector<glm::dvec3> exact = read_positions(scan, obj.positions.size());
+    const Extent extent = extent_of(exact, obj.corners);
+    if (!(extent.radius > 0.0)) return {};
+    MeshFrame frame;
+    if (!is_ordinary_size(extent)) frame.unit = power_of_two(extent.radius);
+    if (is_far(extent)) {
+        const double step = power_of_two(extent.radius) / 256.0;  // a round number reads better
+        frame.origin = glm::round(extent.middle / step) * step;
+    }
+    for (std::size_t i = 0; i < exact.size(); ++i) {
+        obj.positions[i] = glm::vec3((exact[i] - frame.origin) / frame.unit);
+    }
+    return frame;
+}
+
+}  // namespace kreda::scene
