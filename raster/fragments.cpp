@@ -138,6 +138,7 @@ struct Attributes {
     const glm::vec3* normal;
     const glm::vec3* face_corners;  ///< positions again, for the normal of the triangle itself
     const glm::vec3* color;
+    const glm::vec3* color_behind;
     const glm::vec2* uv;
     const glm::vec4* tangent;
     const float* fog;
@@ -179,16 +180,37 @@ inline void interpolate_tangent(const glm::vec4* tangent, const std::array<std::
     blend(b, lanes, t0.w, t1.w, t2.w, out.tangent_side.value + first);
 }
 
+/// The other side of a surface: its vectors point the other way, to the last bit.
+inline void turn(float* __restrict values, int lanes) {
+    for (int i = 0; i < lanes; ++i) values[i] = -values[i];
+}
+
+inline void turn(Channel3& vectors, int lanes, int first) {
+    turn(vectors.x + first, lanes);
+    turn(vectors.y + first, lanes);
+    turn(vectors.z + first, lanes);
+}
+
+/// A run that is seen from behind, once its attributes are there.
+inline void turn_run(const Attributes& in, int lanes, Fragments& out, int first) {
+    if (in.normal) turn(out.normal, lanes, first);
+    if (in.face_corners) turn(out.face_normal, lanes, first);
+    if (!in.tangent) return;
+    turn(out.tangent, lanes, first);
+    turn(out.tangent_side.value + first, lanes);
+}
+
 /// All attributes of one run from its weights.
-inline void blend_run(const Attributes& in, const std::array<std::uint32_t, 3>& v, const WeightRow& b, int lanes,
-                      Fragments& out, int first) {
+inline void blend_run(const Attributes& in, const std::array<std::uint32_t, 3>& v, bool behind, const WeightRow& b,
+                      int lanes, Fragments& out, int first) {
     if (in.position) blend3(b, lanes, in.position, v, out.position, first);
     if (in.normal) blend3(b, lanes, in.normal, v, out.normal, first);
     if (in.face_corners) fill_face_normal(in.face_corners, in.normal, v, lanes, out.face_normal, first);
-    if (in.color) blend3(b, lanes, in.color, v, out.color, first);
+    if (in.color) blend3(b, lanes, behind ? in.color_behind : in.color, v, out.color, first);
     if (in.uv) interpolate_uv(in.uv, v, b, lanes, out, first);
     if (in.tangent) interpolate_tangent(in.tangent, v, b, lanes, out, first);
     if (in.fog) blend(b, lanes, in.fog[v[0]], in.fog[v[1]], in.fog[v[2]], out.fog.value + first);
+    if (behind) turn_run(in, lanes, out, first);
 }
 
 /// What all runs of a batch share.
@@ -198,6 +220,7 @@ struct BatchTask {
     TileArea area;
     bool perspective = true;
     bool with_uv_steps = false;
+    bool two_sided = false;
 };
 
 /// A corner as the weights want it: 1/w, or 1 where they shall leave out the perspective.
@@ -228,6 +251,7 @@ struct RunLanes {
     ScreenLanes a, b, c;
     std::int32_t x[kScreenLanes] = {}, y[kScreenLanes] = {};
     std::array<std::uint32_t, 3> vertex[kScreenLanes];
+    bool behind[kScreenLanes];
     CornerRowLanes row_a, row_b, row_c;
     float b0[kScreenLanes], b1[kScreenLanes], b2[kScreenLanes];  ///< weights at the first sample
 
@@ -250,8 +274,10 @@ inline RunWeights weights_of(const RunLanes& runs, int r) {
 
 inline void fetch_runs(const BatchTask& task, const Run* runs, int count, RunLanes& out) {
     for (int r = 0; r < count; ++r) {
-        const std::array<std::uint32_t, 3> v = task.set.triangle(runs[r].triangle).vertex;
+        const ScreenTriangle& triangle = task.set.triangle(runs[r].triangle);
+        const std::array<std::uint32_t, 3> v = triangle.vertex;
         out.vertex[r] = v;
+        out.behind[r] = task.two_sided && triangle.behind;
         out.a.set(r, corner_of(task, v[0]));
         out.b.set(r, corner_of(task, v[1]));
         out.c.set(r, corner_of(task, v[2]));
@@ -273,13 +299,13 @@ inline void interpolate_run(const BatchTask& task, const RunLanes& runs, int r, 
     WeightRow row;
     if (count == 1) {
         row.set(0, {runs.b0[r], runs.b1[r], runs.b2[r]});
-        blend_run(task.in, runs.vertex[r], row, 1, out, first);
+        blend_run(task.in, runs.vertex[r], runs.behind[r], row, 1, out, first);
     } else if (count <= kShortRun) {
         fill_weights(runs.at(r), kShortRun, row);
-        blend_run(task.in, runs.vertex[r], row, kShortRun, out, first);
+        blend_run(task.in, runs.vertex[r], runs.behind[r], row, kShortRun, out, first);
     } else {
         fill_weights(runs.at(r), lanes_for(count), row);
-        blend_run(task.in, runs.vertex[r], row, lanes_for(count), out, first);
+        blend_run(task.in, runs.vertex[r], runs.behind[r], row, lanes_for(count), out, first);
     }
     if (task.with_uv_steps)
         fill_uv_steps(task.in.uv, runs.vertex[r], weights_of(runs, r), lanes_for(count), out, first);
@@ -343,11 +369,12 @@ void interpolate_runs(const VertexStreams& streams, const TriangleSet& set, cons
                                 needs.normal ? streams.normal_world.data() : nullptr,
                                 needs.face_normal ? streams.position_world.data() : nullptr,
                                 needs.color ? streams.color.data() : nullptr,
+                                needs.color ? streams.color_behind.data() : nullptr,
                                 needs.uv ? streams.uv.data() : nullptr,
                                 needs.tangent ? streams.tangent_world.data() : nullptr,
                                 needs.fog ? streams.fog.data() : nullptr};
     const bool perspective = interpolation == AttributeInterpolation::perspective;
-    interpolate_all({attributes, set, area, perspective, needs.uv_steps}, runs, run_count, fragments);
+    interpolate_all({attributes, set, area, perspective, needs.uv_steps, needs.two_sided}, runs, run_count, fragments);
 }
 
 }  // namespace kreda::raster

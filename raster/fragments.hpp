@@ -81,6 +81,7 @@ struct FragmentNeeds {
     bool uv_steps = false;  ///< with uv: how far it is to the neighbouring samples' uv
     bool tangent = false;
     bool fog = false;
+    bool two_sided = false;  ///< normals, tangents and colours of the side that is seen (ScreenTriangle::behind)
 
     [[nodiscard]] bool any() const {
         return position || normal || face_normal || color || uv || tangent || fog;
@@ -99,6 +100,8 @@ int find_runs(const TileVisibility& tile, const TileArea& area, const TriangleSe
 /// E_i are the exact integers (in double they stay exact up to 2^53); `affine` leaves out 1/w, to show why not.
 /// Steps of uv to the neighbours come from the plane of the triangle itself, wherever it ends, so they do not depend on
 /// tiles, runs or other triangles:   u' - u = sum dq_i (u_i - u) / sum (q_i + dq_i).
+/// two_sided: where a triangle is seen from behind, its normal, its face normal and its tangent frame (t, and b by its
+/// side) are turned, so that a bent normal is turned as a whole; its colour is that of the far side.
 /// The runs hold at most kBatchCapacity samples together.
 void interpolate_runs(const VertexStreams& streams, const TriangleSet& set, const TileArea& area, const Run* runs,
                       int run_count, const FragmentNeeds& needs, AttributeInterpolation interpolation,

@@ -32,12 +32,17 @@ struct Frame {
     glm::mat4 clip_from_world;
     Viewport viewport;
     CullMode cull;
+    bool mirrored;  ///< the instance's transform turns counter-clockwise into clockwise
 };
 
-/// A mirroring transform (a negative scale) turns counter-clockwise into clockwise: what was the back is then the
-/// front.
-CullMode cull_mode_for(CullMode cull, const glm::mat4& world_from_object) {
-    if (glm::determinant(glm::dmat3(world_from_object)) >= 0.0) return cull;
+/// A mirroring transform has a negative scale.
+bool is_mirrored(const glm::mat4& world_from_object) {
+    return glm::determinant(glm::dmat3(world_from_object)) < 0.0;
+}
+
+/// A mirroring transform turns counter-clockwise into clockwise: what was the back is then the front.
+CullMode cull_mode_for(CullMode cull, bool mirrored) {
+    if (!mirrored) return cull;
     if (cull == CullMode::back) return CullMode::front;
     return cull == CullMode::front ? CullMode::back : cull;
 }
@@ -56,13 +61,15 @@ struct DrawList {
 };
 
 /// Write a triangle, clockwise, behind the last; it stays only if it is to be drawn.
-void append(const ScreenTriangle& triangle, bool front, const TileRange& tiles, bool drawn, DrawList& list) {
+void append(const ScreenTriangle& triangle, bool front, bool mirrored, const TileRange& tiles, bool drawn,
+            DrawList& list) {
     ScreenTriangle& to = list.triangles[list.count];  // field by field: a copy would wait for its parts to reach memory
     to.vertex[0] = triangle.vertex[0];
     to.vertex[1] = triangle.vertex[front ? 2 : 1];
     to.vertex[2] = triangle.vertex[front ? 1 : 2];
     to.source = triangle.source;
     to.material = triangle.material;
+    to.behind = front == mirrored;
     list.tiles[list.count] = tiles;
     list.count += drawn;
 }
@@ -117,7 +124,7 @@ void list_triangles(const ChunkTask& task, const MeshInstance& instance, const F
             const Fate fate{lanes.fate[i]};
             triangle.source = task.first_source + task.first_triangle + first + static_cast<std::uint32_t>(i);
             for (int k = 0; k < 3; ++k) triangle.vertex[k] = instance.first_vertex + index[3 * i + k];
-            append(triangle, lanes.front[i] != 0, lanes.tiles_at(i), fate == Fate::drawn, list);
+            append(triangle, lanes.front[i] != 0, frame.mirrored, lanes.tiles_at(i), fate == Fate::drawn, list);
             if (fate == Fate::needs_clip) {
                 clip_later(instance, frame, index + 3 * i, triangle, list.count, counts, pending);
             }
@@ -144,6 +151,7 @@ void append_vertex(const ClipVertex& vertex, const std::array<std::uint32_t, 3>&
     append_weighted(streams.uv, corner, vertex.weights);
     append_weighted(streams.tangent_world, corner, vertex.weights);
     append_weighted(streams.color, corner, vertex.weights);
+    append_weighted(streams.color_behind, corner, vertex.weights);
     append_weighted(streams.fog, corner, vertex.weights);
 }
 
@@ -167,7 +175,8 @@ void draw_fan(const PendingClip& clip, const Frame& frame, const TileGrid& grid,
         const Fate fate = look_closer(a, b, c, judgement);
         const auto number = static_cast<std::int32_t>(fate);
         count_fates(&number, 1, counts);
-        append(piece, judgement.front, tiles_of(grid, judgement.x, judgement.y), fate == Fate::drawn, list);
+        append(piece, judgement.front, frame.mirrored, tiles_of(grid, judgement.x, judgement.y), fate == Fate::drawn,
+               list);
     }
     ++counts.clipped;
 }
@@ -279,7 +288,8 @@ TriangleCounts setup_triangles(const std::vector<MeshInstance>& instances, const
                                const Viewport& viewport, CullMode cull, int samples, VertexStreams& streams,
                                TriangleSet& set) {
     const auto frame_of = [&](const ChunkTask& task) {
-        return Frame{clip_from_world, viewport, cull_mode_for(cull, instances[task.instance].world_from_object)};
+        const bool mirrored = is_mirrored(instances[task.instance].world_from_object);
+        return Frame{clip_from_world, viewport, cull_mode_for(cull, mirrored), mirrored};
     };
     const std::vector<ChunkTask> tasks = make_tasks(instances);
     const int chunk_count = static_cast<int>(tasks.size());

@@ -15,7 +15,8 @@ namespace kreda::raster {
 struct ScreenTriangle {
     std::array<std::uint32_t, 3> vertex{};
     std::uint32_t source = 0;  ///< number of the scene's triangle it came from, counted over all instances
-    std::uint32_t material = 0;
+    std::uint32_t material : 31 = 0;
+    std::uint32_t behind : 1 = 0;  ///< 1: the camera sees its back, its corners are clockwise seen from the camera
 };
 
 /// Triangles that were left out, and why.

@@ -89,6 +89,7 @@ std::uint32_t lay_out_vertices(std::vector<MeshInstance>& instances, const Verte
     streams.uv.assign(needs.uv ? count : 0, glm::vec2(0.0f));  // not every mesh has them
     streams.tangent_world.assign(needs.tangent_world ? count : 0, glm::vec4(0.0f));
     streams.color.resize(needs.color ? count : 0);
+    streams.color_behind.resize(needs.color_behind ? count : 0);
     streams.fog.resize(needs.fog ? count : 0);
     return count;
 }

@@ -30,8 +30,9 @@ struct VertexNeeds {
     bool normal_world = false;
     bool uv = false;
     bool tangent_world = false;
-    bool color = false;  ///< lit per vertex: Gouraud
-    bool fog = false;    ///< fog factor per vertex
+    bool color = false;         ///< lit per vertex: Gouraud
+    bool color_behind = false;  ///< the same for the other side of the surface
+    bool fog = false;           ///< fog factor per vertex
 };
 
 /// What is known of every vertex of every instance, one array an attribute. Arrays that are not needed are empty.
@@ -43,6 +44,7 @@ struct VertexStreams {
     std::vector<glm::vec2> uv;
     std::vector<glm::vec4> tangent_world;  ///< xyz not normalized, w the side of the bitangent; 0: the mesh has none
     std::vector<glm::vec3> color;
+    std::vector<glm::vec3> color_behind;  ///< of the side that the normal points away from
     std::vector<float> fog;
 };
 

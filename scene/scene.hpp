@@ -51,6 +51,7 @@ struct ShadingSettings {
     ShadingFrequency frequency = ShadingFrequency::phong;
     Interpolation interpolation = Interpolation::perspective;
     Cull cull = Cull::back;
+    bool two_sided = true;  ///< where culling is off: normals are turned to the viewer
 };
 
 /// An instance of a mesh in the world.

@@ -110,6 +110,7 @@ ShadingSettings read_shading(const Value& table) {
     read_word(table, "frequency", shading.frequency);
     read_word(table, "interpolation", shading.interpolation);
     read_word(table, "cull", shading.cull);
+    read(table, "two_sided", shading.two_sided);
     return shading;
 }
 

@@ -106,6 +106,14 @@ std::vector<KeyInfo> make_keys() {
          kAny,
          {"back", "front", "none"},
          ""},
+        {"shading",
+         "two_sided",
+         boolean,
+         "true",
+         "where cull lets a back be seen: its normal is turned to the viewer; false takes the light of the front",
+         kAny,
+         {},
+         ""},
 
         {"ambient", "color", vector, "[0.05, 0.05, 0.05]", "s_A: light from everywhere", kNotNegative, {}, ""},
 

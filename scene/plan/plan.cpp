@@ -48,6 +48,7 @@ raster::VertexNeeds vertex_needs(const Scene& scene, const RenderPlan& plan) {
     needs.position_world = true;
     needs.normal_world = lit_at_pixels || lit_at_vertices;
     needs.color = lit_at_vertices;
+    needs.color_behind = lit_at_vertices && plan.two_sided;
     needs.fog = plan.fog_at_vertices;
     for (const View* view : plan.views) {
         needs.normal_world |= view->needs.normal;
@@ -70,6 +71,7 @@ raster::FragmentNeeds fragment_needs(const RenderPlan& plan) {
                         plan.shadows[0].map.settings.method == shadows::ShadowMethod::map;
     needs.color = plan.frequency == ShadingFrequency::gouraud;
     needs.fog = plan.fog_at_vertices;
+    needs.two_sided = plan.two_sided;
     for (const View* view : plan.views) {
         needs.position |= view->needs.position;
         needs.normal |= view->needs.normal;
@@ -101,10 +103,13 @@ void plan_vertices(const Scene& scene, const Sizes& sizes, RenderPlan& plan) {
     if (plan.vertex.tangent_world) pass.buffers.push_back({"tangent_world", sizes.vertices * sizeof(glm::vec4)});
     plan.passes.push_back(pass);
     if (plan.frequency == ShadingFrequency::gouraud) {
-        plan.passes.push_back(
-            {"light vertices",
-             "shading.frequency = \"gouraud\": " + std::to_string(scene.lights.size()) + " lights at every vertex",
-             {{"color", sizes.vertices * sizeof(glm::vec3)}}});
+        const std::string both_sides = plan.two_sided ? ", for both sides of the surface" : "";
+        PlannedPass light{"light vertices",
+                          "shading.frequency = \"gouraud\": " + std::to_string(scene.lights.size()) +
+                              " lights at every vertex" + both_sides,
+                          {{"color", sizes.vertices * sizeof(glm::vec3)}}};
+        if (plan.two_sided) light.buffers.push_back({"color_behind", sizes.vertices * sizeof(glm::vec3)});
+        plan.passes.push_back(light);
     }
     if (plan.fog_at_vertices) {
         plan.passes.push_back(
@@ -117,6 +122,10 @@ void plan_triangles(const Sizes& sizes, RenderPlan& plan) {
     plan.passes.push_back({"triangles",
                            "cull, clip and sort " + std::to_string(sizes.triangles) + " triangles into tiles",
                            {{"triangles and bins, at most", bytes}}});
+    if (plan.two_sided) {
+        plan.passes.push_back(
+            {"sides", "shading.two_sided: a triangle seen from behind has its normals turned to the viewer", {}});
+    }
     if (plan.frequency == ShadingFrequency::flat) {
         plan.passes.push_back({"light triangles",
                                "shading.frequency = \"flat\": once a triangle, at its centroid",
@@ -219,6 +228,9 @@ void list_left_out(RenderPlan& plan) {
              "only shading.frequency = \"flat\" lights triangles");
     left_out(plan.frequency != ShadingFrequency::phong, "light pixels",
              "only shading.frequency = \"phong\" lights pixels");
+    left_out(!plan.two_sided, "sides",
+             plan.cull == raster::CullMode::back ? "shading.cull = \"back\": no back is seen"
+                                                 : "shading.two_sided = false: a back takes the light of its front");
     const bool no_maps = std::none_of(plan.passes.begin(), plan.passes.end(),
                                       [](const PlannedPass& pass) { return pass.name.starts_with("maps of "); });
     left_out(no_maps, "maps", "no visible material has a map that its model reads");
@@ -239,6 +251,7 @@ RenderPlan make_plan(const Scene& scene, const std::vector<const View*>& views) 
     plan.samples = scene.image.samples;
     plan.viewport = {scene.image.width * plan.samples, scene.image.height * plan.samples};
     plan.cull = cull_mode(scene.shading.cull);
+    plan.two_sided = scene.shading.two_sided && plan.cull != raster::CullMode::back;
     plan.interpolation = scene.shading.interpolation == Interpolation::affine
                              ? raster::AttributeInterpolation::affine
                              : raster::AttributeInterpolation::perspective;

@@ -49,6 +49,7 @@ struct RenderPlan {
     raster::Viewport viewport;  ///< the sample grid
     int samples = 1;            ///< n x n samples a pixel
     raster::CullMode cull = raster::CullMode::back;
+    bool two_sided = false;  ///< backs can be seen, and their normals are turned to the viewer
     raster::AttributeInterpolation interpolation = raster::AttributeInterpolation::perspective;
     ShadingFrequency frequency = ShadingFrequency::phong;
     raster::VertexNeeds vertex;      ///< attributes of the vertex streams

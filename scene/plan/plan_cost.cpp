@@ -151,9 +151,10 @@ void estimate_costs(const Scene& scene, RenderPlan& plan) {
     const double n2 = static_cast<double>(plan.samples) * plan.samples;
     const std::vector<std::pair<std::string_view, PassCost>> known = {
         {"vertices", {"vertices", objects.vertices, vertex_operations(plan)}},
-        {"light vertices", {"vertices", objects.vertices, lighting}},
+        {"light vertices", {"vertices", objects.vertices, lighting * (plan.two_sided ? 2.0 : 1.0)}},
         {"fog at vertices", {"vertices", objects.vertices, fog_operations(scene.fog)}},
         {"triangles", {"triangles", objects.triangles, 60.0}},
+        {"sides", {"triangles", objects.triangles, plan.frequency == ShadingFrequency::flat ? 0.0 : 35.0}},
         {"light triangles", {"triangles", objects.triangles, lighting + 12.0}},
         {"visibility", {"samples", samples, 14.0}},
         {"interpolate", {"samples", samples, interpolation_operations(plan)}},

@@ -51,13 +51,14 @@ VertexRange vertices_of_part(const raster::Mesh& mesh, const raster::MeshPart& p
     return {*least, *greatest + 1};
 }
 
-void light_range(const Frame& frame, std::uint32_t material, std::uint32_t first, int total) {
-    raster::VertexStreams& streams = frame.buffers.streams;
+/// Light the vertices of a range on one side of the surface.
+void light_range(const Frame& frame, std::uint32_t material, std::uint32_t first, int total, bool behind,
+                 std::vector<glm::vec3>& color) {
     for_each_batch(total, [&](int begin, int count, LightingScratch& scratch) {
         const std::uint32_t from = first + static_cast<std::uint32_t>(begin);
-        set_vertex_points(frame, from, count, scratch.points);
+        set_vertex_points(frame, from, count, behind, scratch.points);
         shade_points(frame, scratch.points, material, scratch.channels);
-        for (int i = 0; i < count; ++i) streams.color[from + i] = scratch.channels.radiance.at(i);
+        for (int i = 0; i < count; ++i) color[from + i] = scratch.channels.radiance.at(i);
     });
 }
 
@@ -70,7 +71,9 @@ void light_chunk(const Frame& frame, const raster::TriangleChunk& chunk, std::ve
     for (int begin = 0; begin < total; begin += kBatchCapacity) {
         const int count = std::min(kBatchCapacity, total - begin);
         for (int i = 0; i < count; ++i) {
-            set_flat_point(frame.buffers, chunk, chunk.triangles[begin + i], orientation, i, scratch.points);
+            const raster::ScreenTriangle& triangle = chunk.triangles[begin + i];
+            const bool behind = frame.plan.two_sided && triangle.behind;
+            set_flat_point(frame.buffers, chunk, triangle, orientation, behind, i, scratch.points);
         }
         scratch.points.count = count;
         shade_points(frame, scratch.points, chunk.triangles[0].material, scratch.channels);
@@ -97,9 +100,17 @@ void set_tangent(const glm::vec4& tangent, int i, raster::Fragments& points) {
     points.tangent_side.set(i, tangent.w);
 }
 
+/// Point i on the other side of its surface.
+void turn_point(int i, raster::Fragments& points) {
+    points.normal.set(i, -points.normal.at(i));
+    points.face_normal.set(i, -points.face_normal.at(i));
+    points.tangent.set(i, -points.tangent.at(i));
+    points.tangent_side.set(i, -points.tangent_side.at(i));
+}
+
 }  // namespace
 
-void set_vertex_points(const Frame& frame, std::uint32_t first, int count, raster::Fragments& points) {
+void set_vertex_points(const Frame& frame, std::uint32_t first, int count, bool behind, raster::Fragments& points) {
     const raster::VertexStreams& streams = frame.buffers.streams;
     copy_points(&streams.position_world[first], count, points.position);
     copy_points(&streams.normal_world[first], count, points.normal);
@@ -110,6 +121,7 @@ void set_vertex_points(const Frame& frame, std::uint32_t first, int count, raste
     for (int i = 0; i < count && !streams.tangent_world.empty(); ++i) {
         set_tangent(streams.tangent_world[first + static_cast<std::uint32_t>(i)], i, points);
     }
+    for (int i = 0; i < count && behind; ++i) turn_point(i, points);
 }
 
 float orientation_of(const glm::mat4& world_from_object) {
@@ -117,7 +129,8 @@ float orientation_of(const glm::mat4& world_from_object) {
 }
 
 void set_flat_point(const RenderBuffers& buffers, const raster::TriangleChunk& chunk,
-                    const raster::ScreenTriangle& triangle, float orientation, int i, raster::Fragments& points) {
+                    const raster::ScreenTriangle& triangle, float orientation, bool behind, int i,
+                    raster::Fragments& points) {
     const raster::MeshInstance& instance = buffers.instances[chunk.instance];
     const std::uint32_t* index = &instance.mesh->indices[3 * std::size_t{triangle.source - chunk.first_source}];
     const raster::VertexStreams& streams = buffers.streams;
@@ -137,14 +150,19 @@ void set_flat_point(const RenderBuffers& buffers, const raster::TriangleChunk& c
         const auto [t_a, t_b, t_c] = corners(streams.tangent_world);
         set_tangent((t_a + t_b + t_c) * (1.0f / 3.0f), i, points);
     }
+    if (behind) turn_point(i, points);
 }
 
 void light_vertices(const Frame& frame) {
+    raster::VertexStreams& streams = frame.buffers.streams;
     for (const raster::MeshInstance& instance : frame.buffers.instances) {
         for (std::size_t p = 0; p < instance.mesh->parts.size(); ++p) {
             const VertexRange range = vertices_of_part(*instance.mesh, instance.mesh->parts[p]);
-            light_range(frame, static_cast<std::uint32_t>(instance.part_material[p]),
-                        instance.first_vertex + range.first, static_cast<int>(range.end - range.first));
+            const auto material = static_cast<std::uint32_t>(instance.part_material[p]);
+            const std::uint32_t first = instance.first_vertex + range.first;
+            const int count = static_cast<int>(range.end - range.first);
+            light_range(frame, material, first, count, false, streams.color);
+            if (frame.plan.two_sided) light_range(frame, material, first, count, true, streams.color_behind);
         }
     }
 }

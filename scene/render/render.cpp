@@ -8,6 +8,7 @@
 #include "scene/render/early_lighting.hpp"
 #include "scene/render/frame_shadows.hpp"
 #include "scene/render/shadow_pass.hpp"
+#include "scene/render/sides.hpp"
 #include "scene/render/stopwatch.hpp"
 #include "scene/render/tile_pass.hpp"
 #include "scene/render/visibility_check.hpp"
@@ -219,6 +220,10 @@ RenderStatistics render(const Scene& scene, const RenderPlan& plan, RenderBuffer
     statistics.triangles = setup_triangles(buffers.instances, clip_from_world, plan.viewport, plan.cull, plan.samples,
                                            buffers.streams, buffers.triangles);
     lap("triangles");
+    if (plan.two_sided) {
+        find_sides(frame);
+        lap("sides");
+    }
     if (plan.shadows_by_frame) {
         find_frame_shadows(frame, clip_from_world);
         lap("shadows");

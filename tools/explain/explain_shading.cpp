@@ -16,10 +16,17 @@ using scene::ShadingFrequency;
 
 constexpr const char* kCornerNames[3] = {"a", "b", "c"};
 
-/// One attribute: at the corners, and between them.
+/// Two-sided lighting turned this triangle's normals.
+bool is_turned(const SampleFacts& sample) {
+    return sample.frame.plan.two_sided && sample.seen().triangle.behind;
+}
+
+constexpr const char* kTurned = "turned to the viewer, who sees the triangle from behind (shading.two_sided)";
+
+/// One attribute: at the corners, and between them; turned: its negative.
 template <class Attribute>
 void interpolated(const char* name, const std::vector<Attribute>& stream, const std::array<std::uint32_t, 3>& vertex,
-                  const glm::vec3& b, const Attribute& value, Section& section) {
+                  const glm::vec3& b, const Attribute& value, Section& section, bool turned = false) {
     std::string numbers;
     const auto text = [](const Attribute& a) {
         if constexpr (std::is_same_v<Attribute, float>)
@@ -35,7 +42,8 @@ void interpolated(const char* name, const std::vector<Attribute>& stream, const 
         components = {double{value}};
     else
         for (int i = 0; i < Attribute::length(); ++i) components.push_back(value[i]);
-    section.equation(name, "Σ b_i " + std::string(name) + "_i", numbers, components);
+    section.equation(name, (turned ? "-Σ b_i " : "Σ b_i ") + std::string(name) + "_i",
+                     turned ? "-(" + numbers + ")" : numbers, components, turned ? kTurned : "");
 }
 
 void explain_weights(const SampleFacts& sample, const glm::vec3& b, Section& section) {
@@ -79,9 +87,17 @@ void explain_corners(const SampleFacts& sample, Derivation& derivation) {
     const scene::Frame& frame = sample.frame;
     const SourceTriangle source = find_source(frame.buffers.instances, sample.seen().triangle.source);
     const std::uint32_t first = frame.buffers.instances[source.object].first_vertex;
+    const bool turned = is_turned(sample);
+    if (turned) {
+        Section side{"side", "the side that is seen", {}};
+        side.say(
+            "The viewer sees this triangle from behind: its corners are lit once more with their normals turned, "
+            "n = -normal (shading.two_sided), and these are the colours that it shows.");
+        derivation.sections.push_back(side);
+    }
     for (std::size_t i = 0; i < 3; ++i) {
         const auto points = batch_of_one();
-        scene::set_vertex_points(frame, first + source.vertex[i], 1, *points);
+        scene::set_vertex_points(frame, first + source.vertex[i], 1, turned, *points);
         const std::string number = std::to_string(i);
         explain_lighting(
             {frame, *points, sample.seen().triangle.material, "corner " + number + ": ", "corner_" + number + "_"},
@@ -99,12 +115,14 @@ void explain_centroid(const SampleFacts& sample, Derivation& derivation) {
     const raster::TriangleChunk& chunk = frame.buffers.triangles.chunks[sample.seen().id >> raster::kChunkShift];
     const auto points = batch_of_one();
     const float orientation = scene::orientation_of(frame.buffers.instances[chunk.instance].world_from_object);
-    set_flat_point(frame.buffers, chunk, sample.seen().triangle, orientation, 0, *points);
+    set_flat_point(frame.buffers, chunk, sample.seen().triangle, orientation, is_turned(sample), 0, *points);
     Section section{"centroid", "lit once for the whole triangle", {}};
     section.say(
         "shading.frequency = \"flat\": the triangle of the mesh is lit at its centroid, with the normal of its plane.");
     section.equation("centroid", "(p_0 + p_1 + p_2) / 3", "", points->position.at(0), "world space");
-    section.equation("normal", "(p_1 - p_0) × (p_2 - p_0)", "", points->normal.at(0));
+    const bool minus = is_turned(sample) != (orientation < 0.0f);
+    section.equation("normal", minus ? "-(p_1 - p_0) × (p_2 - p_0)" : "(p_1 - p_0) × (p_2 - p_0)", "",
+                     points->normal.at(0), is_turned(sample) ? kTurned : "");
     derivation.sections.push_back(section);
     explain_lighting({frame, *points, sample.seen().triangle.material, "centroid: ", "centroid_"}, derivation);
 }
@@ -148,9 +166,12 @@ void explain_interpolation(const SampleFacts& sample, Derivation& derivation) {
     Section section{"interpolation", "barycentric coordinates and attributes", {}};
     explain_weights(sample, b, section);
     if (needs.position) interpolated("position", streams.position_world, v, b, f.position.at(0), section);
-    if (needs.normal) interpolated("normal", streams.normal_world, v, b, f.normal.at(0), section);
+    if (needs.normal) interpolated("normal", streams.normal_world, v, b, f.normal.at(0), section, is_turned(sample));
     if (needs.uv) interpolated("uv", streams.uv, v, b, glm::vec2(f.u.at(0), f.v.at(0)), section);
-    if (needs.color && !streams.color.empty()) interpolated("color", streams.color, v, b, f.color.at(0), section);
+    if (needs.color && !streams.color.empty()) {
+        const auto& color = is_turned(sample) ? streams.color_behind : streams.color;
+        interpolated("color", color, v, b, f.color.at(0), section);
+    }
     if (needs.fog) interpolated("fog", streams.fog, v, b, f.fog.at(0), section);
     derivation.sections.push_back(section);
 }

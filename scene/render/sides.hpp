@@ -1,0 +1,23 @@
+// Two-sided lighting: which triangles show the side that their normals point away from.
+#pragma once
+
+#include <glm/vec3.hpp>
+
+#include "scene/render/frame.hpp"
+
+namespace kreda::scene {
+
+/// Are a triangle's normals to be turned to the viewer?
+/// behind: the viewer sees its back, by its winding; front_normal: perpendicular to it, on its front, any length;
+/// normal: the sum of its corners' normals; to_viewer: any length.
+/// The winding decides where the normals stand on its front. A triangle whose normals contradict its winding (a mesh
+/// wound inwards that has the right normals, a sliver that is folded over) is seen from behind where its normal clearly
+/// points away from the viewer, and where that is not clear, if the normal is not on the viewer's side of it.
+[[nodiscard]] bool seen_from_behind(bool behind, const glm::vec3& front_normal, const glm::vec3& normal,
+                                    const glm::vec3& to_viewer);
+
+/// Ask that of every triangle that reached the tiles; the answer is ScreenTriangle::behind. With flat shading the
+/// normal is that of the winding, and there is nothing to ask.
+void find_sides(const Frame& frame);
+
+}  // namespace kreda::scene
