@@ -3,52 +3,60 @@
 namespace kreda::scene {
 
 std::string built_in_scene_text() {
-    return R"(# A teapot on a table: Kreda's built-in scene, and a good one to start your own from.
+    return R"(# A teapot on a table in the evening: Kreda's built-in scene, and a good one to start your own from.
 # Angles are degrees, colours are linear RGB. Every key has a default: delete a line and see.
 
 [image]
 size = [640, 360]
 samples = 3                      # 3 x 3 samples a pixel
-background = [0.55, 0.68, 0.85]
+background = "environment"       # show the sky; or one colour: [0.55, 0.68, 0.85]
+tone_map = "reinhard_extended"   # fits the bright sun into 0..1
+white = 6
 
 [camera]
-position = [1.3, 1.5, 3.2]
-target = [0, 0.4, 0]
-vertical_fov = 30
+position = [0.8, 1.0, 4.1]
+target = [0.22, 0.52, 0]
+vertical_fov = 26
+far = 2000                       # to the horizon
 
 [shading]
 frequency = "phong"              # try "gouraud" and "flat"
 cull = "none"                    # the pot is open at its rim: "back" lets you see through
 
-[ambient]
-color = [0.15, 0.15, 0.2]        # s_A
+[environment]                    # light from everywhere: the sky and what it shows on the glaze
+sky = "sunset"                   # or "studio", "gradient", or file = "your.hdr"
+rotation = 50
 
-[[light]]                        # the sun, over your left shoulder
+[[light]]                        # the sun, low, from the left
 type = "directional"
-direction = [1, -1.6, -0.9]      # the way the light travels
-color = [1, 0.95, 0.85]
-intensity = 0.85
+direction = [1.5, -1, -0.4]      # the way the light travels
+color = [1, 0.7, 0.42]
+intensity = 6
+shadow = true
 
-[[light]]                        # a blue lamp behind the spout, for the rim of the belly
-type = "point"
-position = [1.8, 0.7, -1.4]
-color = [0.5, 0.65, 1]
-intensity = 1.2
-attenuation = [1, 0, 0.2]        # 1 / (1 + 0.2 d^2)
+[shadow]
+filter = "pcss"                  # softer with distance; try "none" and "pcf"
+light_size = 0.1                 # how wide the sun is, seen from distance 1
 
 [[material]]
 name = "glaze"
-model = "blinn_phong"            # try "phong" and "lambert"
-ambient = [0.75, 0.3, 0.1]       # m_A
-diffuse = [0.75, 0.3, 0.1]       # m_D
-specular = [0.5, 0.5, 0.5]       # m_S
-shininess = 80                   # h
+model = "cook_torrance"          # try "lambert", "phong", "blinn_phong" (three times as bright: docs/21_lambert.md)
+albedo = [0.04, 0.28, 0.36]      # c, which cook_torrance reads
+diffuse = [0.04, 0.28, 0.36]     # m_D, which the others read
+roughness = 0.2
+
+[[material]]
+name = "gold"
+model = "cook_torrance"
+measured = "gold"
+metallic = 1
+roughness = 0.25                 # 0.05 is a mirror
 
 [[material]]
 name = "table"
-model = "lambert"
-ambient = [0.6, 0.55, 0.45]
-diffuse = [0.6, 0.55, 0.45]
+model = "cook_torrance"
+albedo = [0.35, 0.28, 0.22]
+roughness = 0.6
 
 [[object]]
 mesh = "teapot"
@@ -57,9 +65,16 @@ material = "glaze"
 rotate = [0, 20, 0]
 
 [[object]]
+mesh = "sphere"
+material = "gold"
+translate = [1.05, 0.2, 0.75]
+scale = 0.2
+
+[[object]]
 mesh = "plane"
 material = "table"
-scale = [3, 1, 3]
+scale = [800, 1, 800]
+casts_shadow = false             # so the shadow map need not cover it
 )";
 }
 

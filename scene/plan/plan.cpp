@@ -241,6 +241,22 @@ void list_left_out(RenderPlan& plan) {
     left_out(no_fog, "fog", "fog.mode = \"none\"");
 }
 
+/// Lamps shine pi times as bright on the older models' diffuse as on the same albedo: said where both are seen.
+void note_two_scales(const Scene& scene, RenderPlan& plan) {
+    const std::vector<bool> visible = visible_materials(scene);
+    const std::string *per_pi = nullptr, *plain = nullptr;
+    for (std::size_t m = 0; m < scene.materials.size(); ++m) {
+        const lighting::ReflectionModel model = scene.materials[m].model;
+        if (!visible[m] || model == lighting::ReflectionModel::unlit) continue;
+        const std::string*& name = model == lighting::ReflectionModel::cook_torrance ? per_pi : plain;
+        if (!name) name = &scene.materials[m].name;
+    }
+    if (!plan.has_lights || !per_pi || !plain) return;
+    plan.notes.push_back("\"" + *per_pi + "\" is cook_torrance and reflects albedo / pi of a lamp's light, \"" +
+                         *plain +
+                         "\" reflects diffuse: equal numbers look 3.14 times as bright there (docs/21_lambert.md)");
+}
+
 }  // namespace
 
 RenderPlan make_plan(const Scene& scene, const std::vector<const View*>& views) {
@@ -284,6 +300,7 @@ RenderPlan make_plan(const Scene& scene, const std::vector<const View*>& views) 
     plan_film(scene, sizes, plan);
     estimate_costs(scene, plan);
     list_left_out(plan);
+    note_two_scales(scene, plan);
     if (plan.shadows.empty() && shadow_plan.why_not.empty()) {
         plan.left_out.push_back({"shadows", "no light that is on has shadow = true"});
     }
@@ -344,6 +361,7 @@ std::string describe(const RenderPlan& plan, bool with_left_out) {
     if (with_left_out) {
         for (const LeftOutPass& pass : plan.left_out) text += "-  " + pass.name + ": left out, " + pass.why_not + "\n";
     }
+    for (const std::string& note : plan.notes) text += "note: " + note + "\n";
     return text;
 }
 

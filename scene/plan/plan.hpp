@@ -67,6 +67,7 @@ struct RenderPlan {
     std::vector<const View*> views;  ///< written beside the film
     std::vector<PlannedPass> passes;
     std::vector<LeftOutPass> left_out;
+    std::vector<std::string> notes;  ///< what is so on purpose and may surprise: a sentence each
 };
 
 /// What drawing the scene requires, and these views of it.
@@ -75,8 +76,8 @@ struct RenderPlan {
 /// Does anything in the scene write this view?
 [[nodiscard]] bool can_show(const RenderPlan& plan, const Scene& scene, const View& view);
 
-/// The plan as text for people: a line a pass with its reason, the bytes of its buffers and its cost; at last their
-/// sums.
+/// The plan as text for people: a line a pass with its reason, the bytes of its buffers and its cost; then their sums
+/// and the notes.
 [[nodiscard]] std::string describe(const RenderPlan& plan, bool with_left_out);
 
 }  // namespace kreda::scene

@@ -65,6 +65,18 @@ TEST_CASE("21_lambert: the wall is 0.8 times the cosine") {
     CHECK(0.8 * std::cos(glm::radians(60.0)) == doctest::Approx(documented_number("21_lambert", "at_60")));
 }
 
+TEST_CASE("21_lambert: the bytes of half the light under both models") {
+    const auto byte = [](double light) { return std::lround(255.0 * (1.055 * std::pow(light, 1.0 / 2.4) - 0.055)); };
+    const double pi = 3.14159265358979, cosine = std::cos(27.0 * pi / 180.0);
+    const auto documented = [](const char* key) { return documented_number("21_lambert", key); };
+    CHECK(byte(0.5) == documented("lambert_byte"));
+    CHECK(byte(0.5 / pi) == documented("albedo_byte"));
+    CHECK(byte(0.5 * cosine) == documented("lambert_27"));
+    CHECK(byte(0.5 * cosine / pi) == documented("albedo_27"));
+    CHECK(byte(0.5) == documented_number("42_cook_torrance", "lambert_byte"));
+    CHECK(byte(0.5 / pi) == documented_number("42_cook_torrance", "albedo_byte"));
+}
+
 TEST_CASE("22_phong_terms: the last picture is the sum of the four others in linear light") {
     const raster::Image sum = linear_panel("22_phong_terms/terms.png", 3, 2, 4);
     std::vector<raster::Image> term;

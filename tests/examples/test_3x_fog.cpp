@@ -27,8 +27,11 @@ double difference(const raster::Image& a, const raster::Image& b) {
 }  // namespace
 
 TEST_CASE("30_fog: the lecture's numbers") {
-    CHECK(lighting::fog_linear(4.0f, 2.0f, 10.0f) == documented_number("30_fog", "linear"));
-    CHECK(lighting::fog_exp(2.0f, 0.5f) == doctest::Approx(documented_number("30_fog", "exp")).epsilon(1e-3));
+    CHECK(repository_text("examples/30_fog/main.cpp").find("kStart = 2.0f, kEnd = 12.0f, kDensity = 0.15f") !=
+          std::string::npos);
+    CHECK(lighting::fog_linear(7.0f, 2.0f, 12.0f) == documented_number("30_fog", "linear"));
+    CHECK(lighting::fog_exp(7.0f, 0.15f) == doctest::Approx(documented_number("30_fog", "exp")).epsilon(1e-3));
+    CHECK(lighting::fog_exp2(7.0f, 0.15f) == doctest::Approx(documented_number("30_fog", "exp2")).epsilon(1e-3));
     CHECK(lighting::fog_exp(2.0f, 0.5f) == doctest::Approx(std::exp(-1.0)).epsilon(1e-6));
 }
 

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include <doctest/doctest.h>
+#include <glm/common.hpp>
 #include <glm/geometric.hpp>
 
 #include "course.hpp"
@@ -148,6 +149,39 @@ TEST_CASE("43_metals: the page quotes the errors of three wavelengths") {
         const glm::vec3 error = glm::abs(lighting::f0_from_index(index.n, index.k) - exact) / exact;
         const double percent = 100.0 * (error.x + error.y + error.z) / 3.0;
         CHECK(percent == doctest::Approx(documented_number("43_metals", name)).epsilon(0.03));
+    }
+}
+
+TEST_CASE("43_metals: two colours of the whole spectrum are better than three wavelengths on the average") {
+    for (const char* name : {"gold", "silver", "copper", "aluminium", "platinum"}) {
+        CAPTURE(std::string(name));
+        const lighting::MeasuredMaterial& metal = *lighting::find_measured(name);
+        const lighting::ThreeChannelIndex index = lighting::three_channel_index(metal);
+        const glm::vec3 f0 = lighting::spectral_fresnel(metal, 1.0f);
+        const glm::vec3 f82 = lighting::spectral_fresnel(metal, 1.0f / 7.0f);
+        double two = 0.0, three = 0.0;
+        int better = 0;
+        for (int a = 0; a < 90; ++a) {
+            const float c = static_cast<float>(std::cos((a + 0.5) * 3.14159265358979 / 180.0));
+            const glm::vec3 exact = lighting::spectral_fresnel(metal, c);
+            glm::vec3 two_colours;
+            for (int i = 0; i < 3; ++i) {
+                two_colours[i] = lighting::fresnel_f82(c, f0[i], lighting::f82_coefficient(f0[i], f82[i]));
+            }
+            const auto percent = [&](const glm::vec3& color) {
+                const glm::vec3 error = glm::abs(color - exact) / exact;
+                return 100.0 * (error.x + error.y + error.z) / 3.0;
+            };
+            const double of_two = percent(two_colours);
+            const double of_three = percent(lighting::fresnel_conductor(c, index.n, index.k));
+            two += of_two / 90.0;
+            three += of_three / 90.0;
+            better += of_two < of_three;
+            if (a < 45) CHECK(of_two < of_three);
+        }
+        CHECK(two == doctest::Approx(documented_number("43_metals", std::string(name) + "_f82")).epsilon(0.02));
+        CHECK(two < three);
+        CHECK((better == 90) == (std::string(name) == "gold"));
     }
 }
 

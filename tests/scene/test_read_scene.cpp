@@ -379,10 +379,12 @@ TEST_CASE("A byte-order mark and carriage returns change nothing") {
     CHECK(scene.camera.near == 1.0f);
 }
 
-TEST_CASE("The built-in scene reads and uses each of its materials") {
+TEST_CASE("The built-in scene reads; it has a shadow and an environment and uses each of its materials") {
     const Scene scene = read_text(built_in_scene_text());
-    CHECK(scene.objects.size() == 2);
-    CHECK(scene.lights.size() == 2);
-    CHECK(scene.materials.size() == 2);
+    REQUIRE(scene.lights.size() == 1);
+    CHECK(scene.lights[0].shadow);
+    CHECK(scene.image.environment_background);
+    CHECK(scene.objects.size() == 3);
+    CHECK(scene.materials.size() == 3);
     CHECK(scene.warnings.empty());
 }

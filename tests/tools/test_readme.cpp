@@ -5,6 +5,7 @@
 
 #include <doctest/doctest.h>
 
+#include "scene/files/image_file.hpp"
 #include "tests/scene/temp_folder.hpp"
 #include "tests/tools/run_kreda.hpp"
 
@@ -35,10 +36,32 @@ TEST_CASE("readme: its scene file renders without a word of warning") {
     CHECK(outcome.err == "wrote my.png (640 x 360)\n");
 }
 
+TEST_CASE("readme: its pot stays green-blue under every model that the model line names") {
+    const TempFolder folder;
+    const std::string text = between(text_of("README.md"), "```toml\n", "```");
+    folder.write("my.toml", text);
+    const std::string line = between(text, "\nmodel = ", "\n");
+    const std::regex quoted("\"([a-z_]+)\"");
+    int models = 0;
+    for (auto it = std::sregex_iterator(line.begin(), line.end(), quoted); it != std::sregex_iterator();
+         ++it, ++models) {
+        const std::string model = (*it)[1];
+        CAPTURE(model);
+        const Outcome outcome =
+            run_kreda({"render", "my.toml", "-o", "p.png", "--size", "64x36", "--set", "material.glaze.model=" + model},
+                      folder.path.string());
+        CHECK(outcome.err == "wrote p.png (64 x 36)\n");
+        const glm::vec3 pot = kreda::scene::read_image(folder.file("p.png")).rgb(32, 22);
+        CHECK(pot.y > 1.3f * pot.x);  // grey would be 1, and diffuse itself is 0.05 against 0.3
+        CHECK(pot.z > 1.3f * pot.x);
+    }
+    CHECK(models == 7);
+}
+
 TEST_CASE("readme: its picture is what its scene file gives") {
     const TempFolder folder;
     const std::string scene = std::string(KREDA_SOURCE_DIR) + "/docs/images/first.toml";
-    REQUIRE(run_kreda({"render", scene, "-o", "first.png"}, folder.path.string()).exit_code == 0);
+    REQUIRE(run_kreda({"render", scene, "-o", "first.png", "--no-cache"}, folder.path.string()).exit_code == 0);
     CHECK(bytes_of(folder.file("first.png")) == text_of("docs/images/first.png"));
 }
 

@@ -1,0 +1,54 @@
+// What the plan says of a scene beside its passes.
+#include <string>
+
+#include <doctest/doctest.h>
+
+#include "scene/files/read_scene.hpp"
+#include "scene/plan/plan.hpp"
+#include "scene/render/render.hpp"
+
+using namespace kreda;
+
+namespace {
+
+/// A wall before an orthographic camera, in a light from the camera: n . l = n . v = 1, nothing ambient.
+std::string wall(const std::string& model) {
+    return "[image]\nsize = [8, 8]\n[camera]\nprojection = \"orthographic\"\nheight = 1\nposition = [0, 0, 4]\n"
+           "[ambient]\ncolor = [0, 0, 0]\n[[light]]\ndirection = [0, 0, -1]\n[[material]]\nname = \"wall\"\nmodel = "
+           "\"" +
+           model +
+           "\"\ndiffuse = [0.5, 0.5, 0.5]\nalbedo = [0.5, 0.5, 0.5]\nfresnel = \"none\"\n"
+           "[[object]]\nmesh = \"plane\"\nmaterial = \"wall\"\nrotate = [90, 0, 0]\nscale = 10\n";
+}
+
+scene::RenderPlan plan_of(const std::string& text) {
+    return scene::make_plan(scene::read_scene_text(text, "test", ""));
+}
+
+}  // namespace
+
+TEST_CASE("plan: a lamp's light on both kinds of model is noted and on one kind is not") {
+    const std::string ball = "[[material]]\nname = \"ball\"\nmodel = \"phong\"\n";
+    const std::string seen = ball + "[[object]]\nmesh = \"sphere\"\nmaterial = \"ball\"\n";
+    CHECK(plan_of(wall("cook_torrance")).notes.empty());
+    CHECK(plan_of(wall("lambert") + seen).notes.empty());
+    CHECK(plan_of(wall("cook_torrance") + ball).notes.empty());  // no object is made of it
+    CHECK(plan_of(wall("unlit") + seen).notes.empty());
+    const scene::RenderPlan plan = plan_of(wall("cook_torrance") + seen);
+    REQUIRE(plan.notes.size() == 1);
+    CHECK(plan.notes[0].find("\"wall\" is cook_torrance") != std::string::npos);
+    CHECK(plan.notes[0].find("\"ball\" reflects diffuse") != std::string::npos);
+    CHECK(scene::describe(plan, false).find("note: \"wall\"") != std::string::npos);
+}
+
+TEST_CASE("plan: the same number in albedo and in diffuse is pi times as dark in a lamp's light") {
+    const auto middle = [](const std::string& model) {
+        const scene::Scene scene = scene::read_scene_text(wall(model), "test", "");
+        scene::RenderBuffers buffers;
+        render(scene, scene::make_plan(scene, {scene::find_view("diffuse")}), buffers);
+        return static_cast<double>(buffers.views[0].values[4 * 8 + 4]);
+    };
+    CHECK(middle("lambert") == doctest::Approx(0.5));
+    CHECK(middle("cook_torrance") <= 0.5 / 3.14159265);
+    CHECK(middle("cook_torrance") >= 0.95 * 0.5 / 3.14159265);  // less the 4 % that a smooth surface mirrors
+}
