@@ -32,7 +32,7 @@ std::string existing_file(const Value& key, const std::string& folder) {
     if (fs::is_regular_file(path, failed)) return path;
     const std::string what = fs::is_directory(path, failed) ? " is a folder, not an image file" : " is not there";
     const std::string near = nearest_word(fs::path(path).filename().string(), neighbours(path));
-    throw UserError(key.place, in_quotes(key.key) + ": " + in_quotes(path) + what +
+    throw UserError(key.place, in_quotes(key.key) + ": " + path_in_quotes(path) + what +
                                    (near.empty() ? "" : "; did you mean " + in_quotes(near) + "?"));
 }
 

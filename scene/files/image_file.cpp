@@ -3,14 +3,25 @@
 #include "scene/files/image_file.hpp"
 
 #include <algorithm>
+#include <cctype>
+#include <cmath>
+#include <cstdio>
 #include <filesystem>
+#include <fstream>
 #include <memory>
+#include <new>
+#include <sstream>
+#include <stdexcept>
 
 #include <OpenImageIO/filesystem.h>
 #include <OpenImageIO/imageio.h>
 
 #include "scene/error.hpp"
+#include "scene/files/image_color.hpp"
 #include "scene/files/image_module.hpp"
+#include "scene/files/image_orientation.hpp"
+#include "scene/files/radiance_header.hpp"
+#include "scene/files/webp_file.hpp"
 
 namespace kreda::scene {
 
@@ -77,12 +88,97 @@ void check_is_file(const std::string& path) {
     if (!fs::is_regular_file(path)) throw UserError(Place{path}, "is not a file; an image file is needed");
 }
 
-std::unique_ptr<OIIO::ImageInput> open_input(const std::string& path) {
+/// While it lives, what C libraries print on stderr is lost: libpng complains there, and we complain again. std::cerr
+/// keeps writing.
+class QuietLibraries {
+public:
+    QuietLibraries() {
+        if (nowhere_) stderr = nowhere_;
+    }
+    ~QuietLibraries() {
+        stderr = old_;
+        if (nowhere_) std::fclose(nowhere_);
+    }
+    QuietLibraries(const QuietLibraries&) = delete;
+    QuietLibraries& operator=(const QuietLibraries&) = delete;
+
+private:
+    std::FILE* old_ = stderr;
+    std::FILE* nowhere_ = std::fopen("/dev/null", "w");
+};
+
+/// What the library says of its failure as one sentence: each of its lines once, without the emptiest.
+std::string reason_of(const std::string& text, const std::string& otherwise) {
+    std::vector<std::string> lines;
+    std::istringstream stream(text);
+    for (std::string line; std::getline(stream, line);) {
+        const auto holds_it = [&](const std::string& other) { return other.find(line) != std::string::npos; };
+        if (line.empty() || line == "PNG library error") continue;
+        if (std::none_of(lines.begin(), lines.end(), holds_it)) lines.push_back(line);
+    }
+    std::string reason;
+    for (const std::string& line : lines) reason += (reason.empty() ? "" : "; ") + line;
+    return reason.empty() ? otherwise : reason;
+}
+
+/// The library's exceptions, on headers that make no sense, may name nothing but a function of the C++ library.
+std::string reason_of(const std::exception& damage) {
+    const bool is_internal =
+        dynamic_cast<const std::logic_error*>(&damage) || dynamic_cast<const std::bad_alloc*>(&damage);
+    const std::string nonsense = "its header promises what cannot be";
+    return is_internal ? nonsense : reason_of(damage.what(), nonsense);
+}
+
+std::string first_bytes(const std::string& path, std::size_t most) {
+    std::ifstream file(path, std::ios::binary);
+    std::string bytes(most, '\0');
+    file.read(bytes.data(), static_cast<std::streamsize>(most));
+    bytes.resize(static_cast<std::size_t>(file.gcount()));
+    return bytes;
+}
+
+/// A file that OpenImageIO reads, or a copy of it in memory.
+struct OpenedImage {
+    std::string bytes;
+    std::unique_ptr<OIIO::Filesystem::IOMemReader> memory;
+    std::unique_ptr<OIIO::ImageInput> input;
+    int webp_orientation = 0;  ///< 0: not a WebP file
+    RadianceHeader radiance;   ///< orientation 0: not a Radiance file
+};
+
+void open_webp(const std::string& path, OpenedImage& opened) {
+    const std::string bytes = first_bytes(path, static_cast<std::size_t>(fs::file_size(path)));
+    opened.webp_orientation = webp_orientation(bytes);
+    opened.bytes = webp_without_alpha(bytes);
+    opened.memory = std::make_unique<OIIO::Filesystem::IOMemReader>(opened.bytes.data(), opened.bytes.size());
+    opened.input = OIIO::ImageInput::create("webp");
+    OIIO::ImageSpec spec;
+    if (!opened.input) throw UserError(Place{path}, "cannot be read as an image: OpenImageIO has no WebP here");
+    if (opened.input->set_ioproxy(opened.memory.get()) && opened.input->open(path, spec)) return;
+    throw UserError(Place{path}, "is damaged: " + reason_of(opened.input->geterror(), "its pixels cannot be decoded"));
+}
+
+OpenedImage open_input(const std::string& path) {
+    constexpr std::size_t kMostHeader = 1 << 16;
+    const std::string start = first_bytes(path, kMostHeader);
+    OpenedImage opened;
+    if (is_webp(start)) {
+        open_webp(path, opened);
+        return opened;
+    }
     OIIO::ImageSpec wish;
     wish.attribute("oiio:UnassociatedAlpha", 1);  // otherwise PNG's colours come multiplied by alpha
-    std::unique_ptr<OIIO::ImageInput> input = OIIO::ImageInput::open(path, &wish);
-    if (!input) throw UserError(Place{path}, "cannot be read as an image: " + OIIO::geterror());
-    return input;
+    opened.input = OIIO::ImageInput::open(path, &wish);
+    if (start.starts_with("#?")) opened.radiance = read_radiance_header(start);
+    if (opened.radiance.is_xyz) {
+        throw UserError(Place{path},
+                        "holds XYZ colours (FORMAT=32-bit_rle_xyze); RGB is needed: ra_xyze -r converts it");
+    }
+    const std::string unknown = "it is of no format that OpenImageIO knows";
+    if (!opened.input) {
+        throw UserError(Place{path}, "cannot be read as an image: " + reason_of(OIIO::geterror(), unknown));
+    }
+    return opened;
 }
 
 /// 8 or 16; 0 where a channel is no short integer.
@@ -91,27 +187,108 @@ int bits_of(const OIIO::ImageSpec& spec) {
     return static_cast<int>(8 * spec.format.size());
 }
 
+/// Floats are linear. Integers are sRGB unless the file says that they are linear or a power: PNG's gAMA does. 2.2 is
+/// how a PNG without an sRGB chunk says sRGB (PNG specification, 11.3.2.5); PNM's
+/// Rec709 is taken for it, as all programs do.
+void find_encoding(const OIIO::ImageSpec& spec, StoredImage& stored) {
+    if (stored.bits == 0) return;
+    stored.encoding = Encoding::srgb;
+    std::string space(spec.get_string_attribute("oiio:ColorSpace"));
+    for (char& c : space) c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
+    const float gamma = spec.get_float_attribute("oiio:Gamma", 0.0f);
+    if (space == "linear" || std::abs(gamma - 1.0f) < 0.01f) {
+        stored.encoding = Encoding::linear;
+    } else if (gamma > 0.25f && gamma < 4.0f && std::abs(gamma - 2.2f) > 0.05f) {
+        stored.encoding = Encoding::power;
+        stored.gamma = gamma;
+    } else if (!space.empty() && space != "srgb" && space != "rec709" && !space.starts_with("gamma")) {
+        stored.unknown_space = spec.get_string_attribute("oiio:ColorSpace");
+    }
+}
+
+/// Names and the place of alpha; GIF's reader places it behind the last channel, and TIFF's calls grey red.
+void find_channels(const OIIO::ImageSpec& spec, StoredImage& stored) {
+    stored.channels.assign(spec.channelnames.begin(), spec.channelnames.end());
+    stored.channels.resize(static_cast<std::size_t>(spec.nchannels), "unnamed");
+    stored.alpha = spec.alpha_channel;
+    if (stored.alpha >= spec.nchannels) stored.alpha = spec.nchannels == 4 ? 3 : -1;
+    constexpr int kWhiteIsZero = 0, kBlackIsZero = 1;
+    const int photometric = spec.get_int_attribute("tiff:PhotometricInterpretation", -1);
+    if (photometric == kWhiteIsZero || photometric == kBlackIsZero) stored.channels[0] = "Y";
+}
+
+/// EXR's colours are multiplied by alpha, TIFF's where the file says so; the other readers keep what is stored, and
+/// that is not multiplied.
+bool is_multiplied_by_alpha(const OIIO::ImageInput& input, const OIIO::ImageSpec& spec) {
+    const std::string format = input.format_name();
+    if (spec.get_int_attribute("oiio:UnassociatedAlpha", 0) != 0) return false;
+    return format == "openexr" || format == "tiff" || format == "webp";
+}
+
+/// libtiff turns images of some colour spaces by itself, and not all the way: such files are refused.
+void check_orientation_of_tiff(const std::string& path, const OIIO::ImageSpec& spec, int orientation) {
+    constexpr int kMostPlain = 3, kSeparated = 5;  // grey, RGB and palette; CMYK
+    const int photometric = spec.get_int_attribute("tiff:PhotometricInterpretation", -1);
+    if (orientation == 1 || photometric <= kMostPlain || photometric == kSeparated) return;
+    throw UserError(Place{path}, "holds neither grey, RGB nor CMYK colours and is stored turned (Orientation " +
+                                     std::to_string(orientation) + "): save it upright, or as RGB");
+}
+
+/// As EXIF counts. Where the file's own header was read, that counts.
+int orientation_of(const std::string& path, const OpenedImage& opened, StoredImage& stored) {
+    if (opened.radiance.orientation > 0) return opened.radiance.orientation;
+    const OIIO::ImageSpec& spec = opened.input->spec();
+    int orientation = opened.webp_orientation;
+    if (orientation == 0) orientation = spec.get_int_attribute("Orientation", 1);
+    check_orientation_of_tiff(path, spec, orientation);
+    if (orientation >= 2 && orientation <= 8) {
+        stored.remarks.push_back("is stored turned (Orientation " + std::to_string(orientation) +
+                                 "); it was set upright");
+    }
+    return orientation;
+}
+
+void divide_by_multiplier(raster::Image& image, const RadianceHeader& radiance) {
+    for (int c = 0; c < std::min(image.channels, 3); ++c) {
+        const float multiplier = radiance.multiplier[static_cast<std::size_t>(c)];
+        for (std::size_t i = 0; i < image.plane_size(); ++i) image.plane(c)[i] /= multiplier;
+    }
+}
+
 StoredImage read_with_oiio(const std::string& path, const ImageReadOptions& options) {
-    const std::unique_ptr<OIIO::ImageInput> input = open_input(path);
-    const OIIO::ImageSpec spec = input->spec();
+    const OpenedImage opened = open_input(path);
+    OIIO::ImageInput& input = *opened.input;
+    const OIIO::ImageSpec spec = input.spec();
     check_size(path, spec, options);
     std::vector<float> data(static_cast<std::size_t>(std::int64_t(spec.width) * spec.height * spec.nchannels));
-    if (!input->read_image(0, 0, 0, spec.nchannels, OIIO::TypeFloat, data.data())) {
-        throw UserError(Place{path}, "is damaged: " + input->geterror());
+    if (!input.read_image(0, 0, 0, spec.nchannels, OIIO::TypeFloat, data.data())) {
+        throw UserError(Place{path}, "is damaged: " + reason_of(input.geterror(), "its pixels cannot be decoded"));
     }
-    return {display_window(spec, data), bits_of(spec)};
+    StoredImage stored;
+    stored.remarks = opened.radiance.remarks;
+    stored.bits = bits_of(spec);
+    find_encoding(spec, stored);
+    find_channels(spec, stored);
+    stored.image = upright(display_window(spec, data), orientation_of(path, opened, stored));
+    divide_by_multiplier(stored.image, opened.radiance);
+    if (stored.alpha >= 0 && is_multiplied_by_alpha(input, spec)) {
+        divide_by_alpha(stored.image, color_channels(stored.channels, stored.alpha), stored.alpha);
+        stored.is_divided = true;
+    }
+    return stored;
 }
 
 }  // namespace
 
 StoredImage read_stored_image(const std::string& path, const ImageReadOptions& options) {
     check_is_file(path);
+    const QuietLibraries quiet;
     try {
         return read_with_oiio(path, options);
     } catch (const UserError&) {
         throw;
     } catch (const std::exception& damage) {  // the library's own, on headers that make no sense
-        throw UserError(Place{path}, std::string("is damaged: ") + damage.what());
+        throw UserError(Place{path}, "is damaged: " + reason_of(damage));
     }
 }
 

@@ -16,19 +16,35 @@ struct ImageReadOptions {
     std::int64_t max_values = std::int64_t(1) << 28;  ///< width x height x channels
 };
 
-/// Read any image OpenImageIO knows (PNG, EXR, HDR, JPEG, TGA, ...): the values as stored, integers scaled to 0..1,
-/// colour not multiplied by alpha, all channels. NaN and infinity stay: ask count_non_finite(). An EXR whose data
-/// window is not its display window gives the display window, 0 where there is no data. Throws UserError.
-[[nodiscard]] raster::Image read_image(const std::string& path, const ImageReadOptions& options = {});
+/// How light became the numbers of a file.
+enum class Encoding { linear, srgb, power };
 
-/// An image and how its file holds a channel.
+/// An image as its file holds it, upright, and what the numbers are.
 struct StoredImage {
     raster::Image image;
     int bits = 0;  ///< 8 or 16 for integers; 0 for floating-point numbers, and for longer integers
+    Encoding encoding = Encoding::linear;  ///< of colours: floats are linear, integers sRGB unless the file says else
+    float gamma = 1.0f;                    ///< for power: linear = stored^gamma
+    bool is_divided = false;               ///< colours were multiplied by alpha in the file: they are no integers now
+    int alpha = -1;                        ///< the channel of opacity, or -1
+    std::string unknown_space;             ///< a name of colours that is not known here, or ""
+    std::vector<std::string> channels;     ///< their names
+    std::vector<std::string> remarks;  ///< what was done, for people: "is stored as '+Y 32 +X 64'; it was set upright"
+
+    /// How many values a channel can have; 0: it is no short integer.
+    [[nodiscard]] int levels() const {
+        return bits > 0 && !is_divided ? 1 << bits : 0;
+    }
 };
 
-/// The same with the depth of the file.
+/// Read any image OpenImageIO knows (PNG, EXR, HDR, JPEG, TGA, ...): the values as stored, integers scaled to 0..1,
+/// all channels (but WebP's alpha). Set upright as the file demands; colours not multiplied by alpha, nor by Radiance's
+/// EXPOSURE and COLORCORR. NaN and infinity stay: ask count_non_finite(). An EXR whose data window is not its display
+/// window gives the display window, 0 where there is no data. Throws UserError.
 [[nodiscard]] StoredImage read_stored_image(const std::string& path, const ImageReadOptions& options = {});
+
+/// The values alone.
+[[nodiscard]] raster::Image read_image(const std::string& path, const ImageReadOptions& options = {});
 
 /// The byte that a PNG holds for an encoded value: round(255 c), c clamped to 0..1, NaN to 0.
 [[nodiscard]] std::uint8_t byte_from_encoded(float encoded);

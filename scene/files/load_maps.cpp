@@ -1,12 +1,15 @@
 #include "scene/files/load_maps.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <filesystem>
 #include <map>
 
 #include "lighting/normal_map.hpp"
 #include "raster/film.hpp"
+#include "scene/files/image_color.hpp"
 #include "scene/files/image_file.hpp"
+#include "scene/files/toml_tree.hpp"
 #include "scene/map_meshes.hpp"
 
 namespace kreda::scene {
@@ -18,49 +21,68 @@ using lighting::MapKind;
 /// What a stored value means, and how often it was not what a map may hold.
 struct Decoder {
     MapKind kind;
-    int bits;
+    const StoredImage& stored;
     std::size_t outside = 0;  ///< clamped to 0..1
     std::size_t non_finite = 0;
 
-    float decode(float stored) {
-        if (!raster::is_finite(stored)) {
+    float decode(float value) {
+        if (!raster::is_finite(value)) {
             ++non_finite;
             return 0.0f;
         }
-        if (kind == MapKind::normal) return lighting::normal_component(stored, bits);
-        const float linear = kind == MapKind::color && bits > 0 ? raster::linear_from_srgb(stored) : stored;
+        if (kind == MapKind::normal) return lighting::normal_component(value, stored.bits);
+        const float linear = kind == MapKind::color ? linear_from_stored(value, stored) : value;
         outside += linear < 0.0f || linear > 1.0f;
         return raster::saturate(linear);
     }
 };
 
-/// Integers have few values: each is decoded once.
-void decode_plane(const float* stored, std::size_t count, Decoder& decoder, float* decoded) {
-    if (decoder.bits == 0) {
-        for (std::size_t i = 0; i < count; ++i) decoded[i] = decoder.decode(stored[i]);
-        return;
-    }
-    const std::size_t values = std::size_t{1} << decoder.bits;
-    const float greatest = static_cast<float>(values - 1);
-    std::vector<float> table(values);
-    for (std::size_t v = 0; v < values; ++v) table[v] = decoder.decode(static_cast<float>(v) / greatest);
-    for (std::size_t i = 0; i < count; ++i) {
-        decoded[i] = table[static_cast<std::size_t>(raster::saturate(stored[i]) * greatest + 0.5f)];
+/// The third component of unit normals whose first two a file holds.
+void add_normal_z(raster::Image& normals) {
+    for (std::size_t i = 0; i < normals.plane_size(); ++i) {
+        const float x = normals.plane(0)[i], y = normals.plane(1)[i];
+        normals.plane(2)[i] = std::sqrt(std::max(0.0f, 1.0f - x * x - y * y));
     }
 }
 
-raster::Image decode(const StoredImage& stored, Decoder& decoder) {
-    const raster::Image& image = stored.image;
+raster::Image decode(const ColorChannels& from, Decoder& decoder) {
+    const raster::Image& image = decoder.stored.image;
     const int channels = decoder.kind == MapKind::value ? 1 : 3;
     raster::Image decoded = raster::make_image(image.width, image.height, channels);
+    const auto decode_value = [&](float value) { return decoder.decode(value); };
     for (int c = 0; c < channels; ++c) {
-        const int from = image.channels >= 3 ? c : 0;
-        decode_plane(image.plane(from), image.plane_size(), decoder, decoded.plane(c));
+        const int channel = from.index[static_cast<std::size_t>(c)];
+        if (channel < 0) continue;
+        decode_plane(image.plane(channel), image.plane_size(), decoder.stored.levels(), decode_value, decoded.plane(c));
     }
+    if (decoder.kind == MapKind::normal && from.index[2] < 0) add_normal_z(decoded);
     return decoded;
 }
 
-void warn(const std::string& path, const Decoder& decoder, std::vector<std::string>& warnings) {
+/// What was made of channels that are neither RGB nor a plain grey.
+std::string channels_remark(const ColorChannels& channels, const StoredImage& stored, MapKind kind) {
+    if (kind == MapKind::normal && channels.count == 1) {
+        return "has no red, green and blue channels, which a normal map needs; all three numbers are " +
+               on_one_line(stored.channels[static_cast<std::size_t>(channels.index[0])]);
+    }
+    if (channels.found.empty()) return "";
+    const bool has_blue = channels.index[2] >= 0;
+    if (kind == MapKind::normal && !has_blue) return channels.found + "; the third number is what makes normals unit";
+    if (kind == MapKind::value && channels.count == 3) {
+        return channels.found + "; " + on_one_line(stored.channels[static_cast<std::size_t>(channels.index[0])]) +
+               " is taken as the value";
+    }
+    return channels.found + "; " + channels.made;
+}
+
+void warn(const std::string& path, const ColorChannels& channels, const Decoder& decoder,
+          std::vector<std::string>& warnings) {
+    const auto remark = [&](const std::string& text) {
+        if (!text.empty()) warnings.push_back(UserError(Place{path}, text).what());
+    };
+    for (const std::string& text : decoder.stored.remarks) remark(text);
+    remark(channels_remark(channels, decoder.stored, decoder.kind));
+    if (decoder.kind == MapKind::color) remark(encoding_remark(decoder.stored));
     const auto say = [&](std::size_t count, const char* what) {
         if (count > 0) warnings.push_back(UserError(Place{path}, std::to_string(count) + what).what());
     };
@@ -101,9 +123,10 @@ void for_each_wanted(Scene& scene, Visit visit) {
 std::shared_ptr<const raster::Texture> load_texture(const std::string& path, MapKind kind, bool with_pyramid,
                                                     std::vector<std::string>& warnings) {
     const StoredImage stored = read_stored_image(path);
-    Decoder decoder{kind, stored.bits};
-    const raster::Image decoded = decode(stored, decoder);
-    warn(path, decoder, warnings);
+    const ColorChannels channels = color_channels(stored.channels, stored.alpha);
+    Decoder decoder{kind, stored};
+    const raster::Image decoded = decode(channels, decoder);
+    warn(path, channels, decoder, warnings);
     return std::make_shared<raster::Texture>(raster::make_texture(decoded, with_pyramid));
 }
 

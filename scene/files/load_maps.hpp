@@ -11,10 +11,11 @@
 
 namespace kreda::scene {
 
-/// Load an image as a map: color from sRGB (8 or 16 bits; floating-point files are linear already), value the first
-/// channel, normal from 0..1 to -1..1 (lighting::normal_component). Grey files give three equal channels where three
-/// are needed; alpha is left out, colours are not multiplied by it. Colours and values outside 0..1 are clamped and
-/// what is not finite becomes 0, with a warning. Throws UserError.
+/// Load an image as a map: color as linear light (8 or 16 bits are sRGB unless the file says else, floats linear
+/// already), value the red or grey channel, normal from 0..1 to -1..1 (lighting::normal_component). Grey files give
+/// three equal channels where three are needed; alpha is left out, colours are not multiplied by it. Channels of other
+/// names are a warning, and so is what was done to an image (turned upright, divided by its exposure). Colours and
+/// values outside 0..1 are clamped and what is not finite becomes 0, with a warning. Throws UserError.
 [[nodiscard]] std::shared_ptr<const raster::Texture> load_texture(const std::string& path, lighting::MapKind kind,
                                                                   bool with_pyramid,
                                                                   std::vector<std::string>& warnings);

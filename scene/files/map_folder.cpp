@@ -124,7 +124,7 @@ MapFolder find_maps(const std::string& pattern) {
     const fs::path folder = is_folder ? fs::path(pattern) : fs::path(pattern).parent_path();
     MapFolder found;
     if (!fs::is_directory(folder.empty() ? fs::path(".") : folder, failed)) {
-        found.problem = "there is no folder " + in_quotes(folder.string());
+        found.problem = "there is no folder " + path_in_quotes(folder.string());
         return found;
     }
     const std::vector<std::string> names = matching_files(folder.empty() ? fs::path(".") : folder,

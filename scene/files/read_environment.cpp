@@ -1,6 +1,7 @@
 #include "scene/files/read_environment.hpp"
 
 #include "scene/files/file_key.hpp"
+#include "scene/files/image_color.hpp"
 #include "scene/files/image_file.hpp"
 #include "scene/files/toml_check.hpp"
 
@@ -21,13 +22,23 @@ std::string repairs_text(const lighting::EnvironmentRepairs& repairs) {
            std::to_string(repairs.too_bright) + " too bright (set to 1e9)";
 }
 
+/// What was done to an image, and what was made of its channels and numbers.
+std::vector<std::string> remarks_of(const StoredImage& stored) {
+    std::vector<std::string> remarks = stored.remarks;
+    const ColorChannels channels = color_channels(stored.channels, stored.alpha);
+    if (!channels.found.empty()) remarks.push_back(channels.found + "; " + channels.made);
+    const std::string encoding = encoding_remark(stored);
+    if (!encoding.empty()) remarks.push_back(encoding);
+    return remarks;
+}
+
 /// The image that a key names. What was wrong with it is a warning.
 std::shared_ptr<const raster::Image> load(const Value& key, const std::string& path,
                                           std::vector<std::string>& warnings) {
     const EnvironmentImage loaded =
-        read_environment_image(path, key.place, in_quotes(key.key) + ": " + in_quotes(path) + " ");
+        read_environment_image(path, key.place, in_quotes(key.key) + ": " + path_in_quotes(path) + " ");
     for (const std::string& remark : loaded.remarks) {
-        warnings.push_back(UserError(key.place, in_quotes(path) + " " + remark).what());
+        warnings.push_back(UserError(key.place, path_in_quotes(path) + " " + remark).what());
     }
     return loaded.image;
 }
@@ -35,12 +46,15 @@ std::shared_ptr<const raster::Image> load(const Value& key, const std::string& p
 }  // namespace
 
 EnvironmentImage read_environment_image(const std::string& path, const Place& place, const std::string& subject) {
-    auto image = std::make_shared<raster::Image>(read_image(path));
+    StoredImage stored = read_stored_image(path);
+    EnvironmentImage loaded;
+    loaded.remarks = remarks_of(stored);
+    const ColorChannels channels = color_channels(stored.channels, stored.alpha);
+    auto image = std::make_shared<raster::Image>(linear_colors(std::move(stored), channels));
     if (image->width < kLeastWidth || image->height < kLeastWidth / 2) {
         throw UserError(place, subject + "is " + size_text(*image) +
                                    " pixels; an equirectangular image is twice as wide as high, e.g. 1024 x 512");
     }
-    EnvironmentImage loaded;
     loaded.repairs = lighting::repair_environment(*image);
     if (image->width != 2 * image->height) {
         loaded.remarks.push_back("is " + size_text(*image) + ", not twice as wide as high; it is stretched");

@@ -18,8 +18,8 @@ struct EnvironmentImage {
     std::vector<std::string> remarks;  ///< for people: "is 100 x 90, not twice as wide as high; it is stretched"
 };
 
-/// Read and repair. An image that is too small is refused at `place`, where `subject` ("'sky.hdr' ") begins the
-/// message. Throws UserError.
+/// Read as linear light (8 and 16 bits are decoded as sRGB, as textures are) and repair. An image that is too small is
+/// refused at `place`, where `subject` ("'sky.hdr' ") begins the message. Throws UserError.
 [[nodiscard]] EnvironmentImage read_environment_image(const std::string& path, const Place& place,
                                                       const std::string& subject);
 

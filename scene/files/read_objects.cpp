@@ -84,7 +84,7 @@ SharedMesh ObjectReader::mesh_of(const Value& table) {
     const std::filesystem::path path = (std::filesystem::path(folder) / name).lexically_normal();
     std::error_code error;
     if (!std::filesystem::exists(path, error)) {
-        throw UserError(place_of(table, "mesh"), "there is no mesh file " + in_quotes(path.string()) +
+        throw UserError(place_of(table, "mesh"), "there is no mesh file " + path_in_quotes(path.string()) +
                                                      did_you_mean(name, shapes, "built-in meshes"));
     }
     if (find(table, "detail")) {

@@ -219,7 +219,7 @@ std::vector<KeyInfo> make_keys() {
          "file",
          text,
          "",
-         "light from an image: equirectangular .hdr or .exr",
+         "light from an equirectangular image: .hdr, .exr; 8 or 16 bits are decoded as sRGB",
          kAny,
          {},
          "\"studio.hdr\""},

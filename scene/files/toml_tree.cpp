@@ -178,20 +178,6 @@ const Place& place_of(const Value& table, std::string_view key) {
     return value ? value->place : table.place;
 }
 
-std::string on_one_line(std::string_view text) {
-    std::size_t length = std::min(text.size(), kMaxQuoted);
-    const auto inside_character = [&](std::size_t i) { return (static_cast<unsigned char>(text[i]) & 0xC0) == 0x80; };
-    while (length > 0 && length < text.size() && inside_character(length)) --length;
-    std::string result(text.substr(0, length));
-    const auto is_control = [](unsigned char c) { return c < 0x20 || c == 0x7F; };
-    std::replace_if(result.begin(), result.end(), is_control, '?');
-    return result + (length < text.size() ? "..." : "");
-}
-
-std::string in_quotes(std::string_view text, char quote) {
-    return quote + on_one_line(text) + quote;
-}
-
 std::string did_you_mean(const std::string& word, const std::vector<std::string>& known, const std::string& what) {
     std::string nearest = word.size() <= kMaxQuoted ? word_around(word, known) : "";
     if (nearest.empty() && word.size() <= kMaxQuoted) nearest = nearest_word(word, known);

@@ -41,6 +41,9 @@ struct Value {
 /// The same between quotes.
 [[nodiscard]] std::string in_quotes(std::string_view text, char quote = '\'');
 
+/// The same for a path: what is too long is cut at its beginning, and the file's name stays whole.
+[[nodiscard]] std::string path_in_quotes(std::string_view path);
+
 /// "; did you mean 'x'?" or, where nothing is near, "; known keys: a, b, c" (what = "keys").
 [[nodiscard]] std::string did_you_mean(const std::string& word, const std::vector<std::string>& known,
                                        const std::string& what);

@@ -1,0 +1,42 @@
+// Text in messages, declared in toml_tree.hpp. A file of its own because the module of images needs it, too.
+#include <algorithm>
+#include <string>
+
+#include "scene/files/toml_tree.hpp"
+
+namespace kreda::scene {
+
+namespace {
+
+constexpr std::size_t kMaxQuoted = 60;
+
+std::string without_controls(std::string_view text) {
+    std::string result(text);
+    const auto is_control = [](unsigned char c) { return c < 0x20 || c == 0x7F; };
+    std::replace_if(result.begin(), result.end(), is_control, '?');
+    return result;
+}
+
+}  // namespace
+
+std::string on_one_line(std::string_view text) {
+    std::size_t length = std::min(text.size(), kMaxQuoted);
+    const auto inside_character = [&](std::size_t i) { return (static_cast<unsigned char>(text[i]) & 0xC0) == 0x80; };
+    while (length > 0 && length < text.size() && inside_character(length)) --length;
+    return without_controls(text.substr(0, length)) + (length < text.size() ? "..." : "");
+}
+
+std::string in_quotes(std::string_view text, char quote) {
+    return quote + on_one_line(text) + quote;
+}
+
+std::string path_in_quotes(std::string_view path) {
+    const std::size_t name = path.size() - (path.rfind('/') + 1);  // npos + 1 is 0
+    const std::size_t length = std::max(name, kMaxQuoted);
+    if (path.size() <= length) return "'" + without_controls(path) + "'";
+    std::size_t start = path.size() - length;
+    while (start < path.size() && (static_cast<unsigned char>(path[start]) & 0xC0) == 0x80) ++start;
+    return "'..." + without_controls(path.substr(start)) + "'";
+}
+
+}  // namespace kreda::scene
