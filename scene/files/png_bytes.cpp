@@ -61,7 +61,7 @@ bool write_picture(png_structp png, png_infop info, const PngPicture& picture) {
     png_set_user_limits(png, PNG_UINT_31_MAX, PNG_UINT_31_MAX);
     png_set_compression_level(png, 6);
     png_set_compression_strategy(png, Z_DEFAULT_STRATEGY);
-    png_set_filter(png, PNG_FILTER_TYPE_BASE, PNG_NO_FILTERS);  // a third of the time, and few bytes more
+    png_set_filter(png, PNG_FILTER_TYPE_BASE, PNG_NO_FILTERS);
     write_header(png, info, picture);
     const std::size_t row_size = std::size_t(picture.width) * std::size_t(picture.channels);
     for (int y = 0; y < picture.height; ++y) png_write_row(png, picture.values.data() + std::size_t(y) * row_size);

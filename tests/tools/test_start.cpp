@@ -37,7 +37,7 @@ void write_ball(const TempFolder& folder, const std::string& material, const std
 
 TEST_CASE("start: without image files no command loads OpenImageIO, and a texture does") {
     const TempFolder folder;
-    write_ball(folder, "", "[environment]\nsky = \"studio\"\nsize = 16\n");
+    write_ball(folder, "", "[environment]\nsky = \"studio\"\n");
     const std::vector<std::vector<std::string>> commands = {{"--help"},
                                                             {"keys"},
                                                             {"plan", "ball.toml"},
