@@ -20,8 +20,8 @@ struct LoadedMesh {
 
 struct MeshFileOptions {
     Normals normals = Normals::file;             ///< file: the file's own, smooth ones where it has none
-    std::optional<float> crease = std::nullopt;  ///< degrees; none: by smoothing groups, else 60 and no specks
     bool allow_outside = false;                  ///< paths inside the OBJ and MTL may leave the OBJ's folder
+    std::optional<float> crease = std::nullopt;  ///< degrees; none: by smoothing groups, else 60 and no specks
 };
 
 /// What a file is that is neither OBJ nor a scene, by its name: "is a PLY mesh; ..." with what can be read and how to
