@@ -185,6 +185,104 @@ std::uint32_t make_smooth_normals(Mesh& mesh, float crease_angle_deg) {
     return apply_clusters(mesh, clusters, area_vectors);
 }
 
+namespace {
+
+constexpr double kCreaseDeg = 60.0;
+constexpr std::uint32_t kMostOfSpeck = 3;   // triangles
+constexpr std::uint32_t kLeastAround = 16;  // times as many triangles as the speck
+constexpr int kSpeckPasses = 3;             // specks that touch each other vanish one after the other
+
+/// Smooth regions of triangles, and which triangles were joined to a region over a crease.
+struct Regions {
+    Clusters of_triangle;
+    std::vector<std::uint32_t> size;  // at the triangle that names a region
+    std::vector<bool> absorbed;
+
+    explicit Regions(std::uint32_t triangles)
+        : of_triangle(triangles), size(triangles, 0), absorbed(triangles, false) {}
+
+    void count() {
+        std::ranges::fill(size, 0u);
+        for (std::uint32_t t = 0; t < size.size(); ++t) ++size[of_triangle.find(t)];
+    }
+};
+
+bool is_edge(const std::vector<Side>& sides, std::size_t i) {
+    return sides[i - 1].points == sides[i].points;
+}
+
+/// A small region and a neighbour, once for each edge between them, sorted.
+std::vector<std::pair<std::uint32_t, std::uint32_t>> borders_of_small(Regions& regions,
+                                                                      const std::vector<Side>& sides) {
+    std::vector<std::pair<std::uint32_t, std::uint32_t>> borders;
+    for (std::size_t i = 1; i < sides.size(); ++i) {
+        if (!is_edge(sides, i)) continue;
+        const std::uint32_t a = regions.of_triangle.find(sides[i - 1].low_corner / 3);
+        const std::uint32_t b = regions.of_triangle.find(sides[i].low_corner / 3);
+        if (a == b) continue;
+        if (regions.size[a] <= kMostOfSpeck) borders.emplace_back(a, b);
+        if (regions.size[b] <= kMostOfSpeck) borders.emplace_back(b, a);
+    }
+    std::ranges::sort(borders);
+    return borders;
+}
+
+/// Join every speck to the large region that more than half of its edges border on.
+void absorb_specks(Regions& regions, const std::vector<Side>& sides) {
+    regions.count();
+    const auto borders = borders_of_small(regions, sides);
+    std::vector<std::pair<std::uint32_t, std::uint32_t>> joined;
+    for (std::size_t first = 0, end = 0; first < borders.size(); first = end) {
+        while (end < borders.size() && borders[end].first == borders[first].first) ++end;
+        std::size_t run = 0;
+        for (std::size_t i = first; i < end; ++i) {
+            run = i > first && borders[i] == borders[i - 1] ? run + 1 : 1;
+            const bool is_large = regions.size[borders[i].second] >= kLeastAround * regions.size[borders[i].first];
+            if (is_large && 2 * run > end - first) {
+                joined.push_back(borders[i]);
+                break;
+            }
+        }
+    }
+    std::vector<bool> is_speck(regions.size.size(), false);
+    for (const auto& [speck, around] : joined) is_speck[speck] = true;
+    for (std::uint32_t t = 0; t < is_speck.size(); ++t) {
+        if (is_speck[regions.of_triangle.find(t)]) regions.absorbed[t] = true;
+    }
+    for (const auto& [speck, around] : joined) regions.of_triangle.unite(speck, around);
+}
+
+Regions find_regions(std::uint32_t triangles, const std::vector<Side>& sides,
+                     const std::vector<glm::dvec3>& area_vectors) {
+    Regions regions(triangles);
+    for (std::size_t i = 1; i < sides.size(); ++i) {
+        const std::uint32_t a = sides[i - 1].low_corner / 3, b = sides[i].low_corner / 3;
+        if (is_edge(sides, i) && is_smooth_edge(area_vectors[a], area_vectors[b], kCreaseDeg)) {
+            regions.of_triangle.unite(a, b);
+        }
+    }
+    for (int pass = 0; pass < kSpeckPasses; ++pass) absorb_specks(regions, sides);
+    return regions;
+}
+
+}  // namespace
+
+std::uint32_t make_smooth_normals_without_specks(Mesh& mesh) {
+    const std::vector<glm::dvec3> area_vectors = all_area_vectors(mesh);
+    const std::vector<Side> sides = sorted_sides(mesh, weld_by_position(mesh.positions), area_vectors);
+    Clusters clusters(3 * std::size_t{mesh.triangle_count()});
+    unite_over_smooth_edges(clusters, sides, area_vectors, kCreaseDeg);
+    Regions regions = find_regions(mesh.triangle_count(), sides, area_vectors);
+    for (std::size_t i = 1; i < sides.size(); ++i) {
+        const std::uint32_t a = sides[i - 1].low_corner / 3, b = sides[i].low_corner / 3;
+        const bool is_speck_edge = is_edge(sides, i) && (regions.absorbed[a] || regions.absorbed[b]);
+        if (!is_speck_edge || regions.of_triangle.find(a) != regions.of_triangle.find(b)) continue;
+        clusters.unite(sides[i - 1].low_corner, sides[i].low_corner);
+        clusters.unite(sides[i - 1].high_corner, sides[i].high_corner);
+    }
+    return apply_clusters(mesh, clusters, area_vectors);
+}
+
 std::uint32_t make_smooth_normals_by_group(Mesh& mesh, std::span<const std::uint32_t> smoothing_group_of_triangle) {
     KREDA_EXPECT(smoothing_group_of_triangle.size() == mesh.triangle_count());
     const std::vector<glm::dvec3> area_vectors = all_area_vectors(mesh);

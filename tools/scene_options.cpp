@@ -37,6 +37,8 @@ scene::Scene load_scene(const SceneOptions& options) {
                 scene_around_mesh(options.file, {scene::Normals::file, options.read.allow_outside});
             return scene::read_scene_text(text, "scene around " + options.file, "", options.read);
         }
+        const std::string other = scene::other_format(options.file);
+        if (!other.empty()) throw scene::UserError(scene::Place{options.file}, other);
         return scene::read_scene(options.file, options.read);
     };
     const scene::Scene scene = read();

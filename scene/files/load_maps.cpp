@@ -4,6 +4,9 @@
 #include <cmath>
 #include <filesystem>
 #include <map>
+#include <tuple>
+
+#include <glm/geometric.hpp>
 
 #include "lighting/normal_map.hpp"
 #include "raster/film.hpp"
@@ -90,18 +93,75 @@ void warn(const std::string& path, const ColorChannels& channels, const Decoder&
     say(decoder.outside, " values are outside of 0..1 and were clamped: a map holds shares and reflectances");
 }
 
+/// Heights as a normal map: white stands `scale` widths of the picture above black. With h in texels,
+/// m = (-(h[x+1] - h[x-1]) / 2, -(h[y-1] - h[y+1]) / 2, 1) made unit: rows count downwards, v grows upwards.  Blinn
+/// 1978
+raster::Image normals_of_heights(const raster::Image& heights, float scale, raster::TextureWrap wrap) {
+    raster::Image normals = raster::make_image(heights.width, heights.height, 3);
+    const auto neighbour = [&](int at, int side) {
+        const int around = (at + side) % side, inside = std::clamp(at, 0, side - 1);
+        return wrap == raster::TextureWrap::repeat ? around : inside;
+    };
+    const float half = 0.5f * scale * static_cast<float>(heights.width);
+    const float* const h = heights.plane(0);
+    const auto at = [&](int x, int y) {
+        return static_cast<std::size_t>(neighbour(y, heights.height)) * static_cast<std::size_t>(heights.width) +
+               static_cast<std::size_t>(neighbour(x, heights.width));
+    };
+    for (int y = 0; y < heights.height; ++y) {
+        for (int x = 0; x < heights.width; ++x) {
+            const glm::vec3 m = glm::normalize(glm::vec3(-half * (h[at(x + 1, y)] - h[at(x - 1, y)]),
+                                                         -half * (h[at(x, y - 1)] - h[at(x, y + 1)]), 1.0f));
+            for (int c = 0; c < 3; ++c) normals.plane(c)[at(x, y)] = m[c];
+        }
+    }
+    return normals;
+}
+
+/// Modelling programs write normal maps as map_Bump: blue throughout, where heights are grey.
+bool looks_like_normals(const raster::Image& image) {
+    if (image.channels < 3) return false;
+    std::size_t blue = 0;
+    for (std::size_t i = 0; i < image.plane_size(); ++i) {
+        blue += image.plane(2)[i] > 0.5f && image.plane(2)[i] > image.plane(0)[i] + 0.02f;
+    }
+    return 10 * blue > 9 * image.plane_size();
+}
+
 /// A file read in one way, and whether somebody wants its pyramid.
 struct Wanted {
     bool with_pyramid = false;
     std::shared_ptr<const raster::Texture> texture;
 };
-using WantedFiles = std::map<std::pair<std::string, MapKind>, Wanted>;
+/// The file, what it means, and how heights become normals (bump scale, wrap); 0 where they are none.
+using ReadWay = std::tuple<std::string, MapKind, float, int>;
+using WantedFiles = std::map<ReadWay, Wanted>;
 
 /// One name for a file, however the scene writes it.
 std::string canonical(const std::string& path) {
     std::error_code failed;
     const std::filesystem::path real = std::filesystem::weakly_canonical(path, failed);
     return failed ? path : real.string();
+}
+
+ReadWay way_of(const lighting::MaterialMaps& maps, const lighting::MapUse& use) {
+    const bool is_height = use.kind == MapKind::normal && maps.normal_from_height;
+    return {canonical((maps.*use.map).file), use.kind, is_height ? maps.bump_scale : 0.0f,
+            is_height ? 1 + static_cast<int>(maps.wrap) : 0};
+}
+
+std::shared_ptr<const raster::Texture> load_heights(const std::string& path, const lighting::MaterialMaps& maps,
+                                                    bool with_pyramid, std::vector<std::string>& warnings) {
+    const StoredImage stored = read_stored_image(path);
+    if (looks_like_normals(stored.image)) {
+        warnings.push_back(path + ": is given as a height map (bump), but is a normal map by its colours; read as one");
+        return load_texture(path, MapKind::normal, with_pyramid, warnings);
+    }
+    Decoder decoder{MapKind::value, stored.bits};
+    const raster::Image heights = decode(stored, decoder);
+    warn(path, decoder, warnings);
+    return std::make_shared<raster::Texture>(
+        raster::make_texture(normals_of_heights(heights, maps.bump_scale, maps.wrap), with_pyramid));
 }
 
 /// Calls visit(material, use, map) for every map that must come from a file.
@@ -133,12 +193,16 @@ std::shared_ptr<const raster::Texture> load_texture(const std::string& path, Map
 void load_maps(Scene& scene) {
     drop_maps_without_uv(scene);
     WantedFiles files;
-    for_each_wanted(scene, [&](const lighting::Material& material, const lighting::MapUse& use, lighting::Map& map) {
-        Wanted& wanted = files[{canonical(map.file), use.kind}];
+    for_each_wanted(scene, [&](const lighting::Material& material, const lighting::MapUse& use, lighting::Map&) {
+        Wanted& wanted = files[way_of(material.maps, use)];
         wanted.with_pyramid |= material.maps.filter == lighting::TextureFilter::trilinear;
     });
-    for_each_wanted(scene, [&](const lighting::Material&, const lighting::MapUse& use, lighting::Map& map) {
-        Wanted& wanted = files[{canonical(map.file), use.kind}];
+    for_each_wanted(scene, [&](const lighting::Material& material, const lighting::MapUse& use, lighting::Map& map) {
+        Wanted& wanted = files[way_of(material.maps, use)];
+        const bool is_height = use.kind == MapKind::normal && material.maps.normal_from_height;
+        if (!wanted.texture && is_height) {
+            wanted.texture = load_heights(map.file, material.maps, wanted.with_pyramid, scene.warnings);
+        }
         if (!wanted.texture) wanted.texture = load_texture(map.file, use.kind, wanted.with_pyramid, scene.warnings);
         map.texture = wanted.texture;
     });

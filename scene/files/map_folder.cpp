@@ -24,11 +24,13 @@ struct Announcement {
 /// The names that Substance, ambientCG, Poly Haven, glTF and Unreal tools write, in lower case without separators.
 const std::vector<Announcement>& announcements() {
     static const std::vector<Announcement> all = {
-        {"albedo", {"albedo", "basecolor", "color", "col", "diffuse", "diff"}},
+        {"albedo",
+         {"albedo", "basecolor", "color", "col", "diffuse", "diff", "bc", "basecolour", "colour",
+          "albedotransparency"}},
         {"metallic", {"metallic", "metalness", "metal"}},
         {"roughness", {"roughness", "rough"}},
-        {"ao", {"ao", "ambientocclusion", "occlusion"}},
-        {"normal", {"normal", "normalgl", "normalopengl", "norgl", "nor", "nrm"}},
+        {"ao", {"ao", "ambientocclusion", "occlusion", "occ"}},
+        {"normal", {"normal", "normalgl", "normalopengl", "norgl", "nor", "nrm", "norm", "normalogl", "nrm16"}},
         {"normal_down", {"normaldx", "normaldirectx", "nordx"}},
     };
     return all;
@@ -47,9 +49,11 @@ std::vector<std::string> words_of(const std::string& stem) {
     return words;
 }
 
-/// "2048", "1k", "4k"
+/// "2048", "1k", "4k", and as sizes go what libraries put behind them: "png", "jpg", "lod0", "var1"
 bool is_size(std::string_view word) {
+    if (word == "png" || word == "jpg" || word == "jpeg" || word == "exr" || word == "tif") return true;
     if (word.ends_with('k')) word.remove_suffix(1);
+    if (word.starts_with("lod") || word.starts_with("var")) word.remove_prefix(3);
     return !word.empty() && std::all_of(word.begin(), word.end(), [](unsigned char c) { return std::isdigit(c); });
 }
 
@@ -84,6 +88,42 @@ std::string joined(const std::vector<std::string>& names) {
     return text + (names.size() > kMost ? ", ..." : "");
 }
 
+/// Unreal's T_Rock_D: a letter alone says something only behind that T.
+std::string map_of_letter(const std::vector<std::string>& words) {
+    if (words.size() < 3 || words.front() != "t") return "";
+    const std::string& letter = words.back();
+    if (letter == "d") return "albedo";
+    if (letter == "n") return "normal_down";  // Unreal's green points down
+    if (letter == "r") return "roughness";
+    return letter == "m" ? "metallic" : "";
+}
+
+/// What the last word says, or the last two.
+std::string announced_by(const std::vector<std::string>& words) {
+    if (words.empty()) return "";
+    const std::string last = words.back();
+    const std::string last_two = words.size() > 1 ? words[words.size() - 2] + last : last;
+    for (const std::string& candidate : {last_two, last}) {
+        for (const Announcement& announcement : announcements()) {
+            const auto& known = announcement.words;
+            if (std::find(known.begin(), known.end(), candidate) != known.end()) return std::string(announcement.map);
+        }
+    }
+    return map_of_letter(words);
+}
+
+/// Poliigon ends every name of a set in its workflow, behind the size: X_COL_2K_METALNESS.
+void drop_workflow(std::vector<std::string>& words) {
+    if (words.size() < 3 || (words.back() != "metalness" && words.back() != "specular")) return;
+    std::vector<std::string> before(words.begin(), words.end() - 1);
+    if (!is_size(before.back())) return;
+    while (!before.empty() && is_size(before.back())) before.pop_back();
+    constexpr std::array<std::string_view, 10> kOthers = {"disp", "disp16", "displacement", "height", "gloss",
+                                                          "refl", "bump",   "bump16",       "mask",   "sss"};
+    const bool is_other = !before.empty() && std::find(kOthers.begin(), kOthers.end(), before.back()) != kOthers.end();
+    if (is_other || !announced_by(before).empty()) words = before;  // else X_2K_Metalness, which is the map
+}
+
 lighting::Map* map_named(lighting::MaterialMaps& maps, const std::string& name) {
     if (name == "albedo") return &maps.albedo;
     if (name == "metallic") return &maps.metallic;
@@ -95,17 +135,9 @@ lighting::Map* map_named(lighting::MaterialMaps& maps, const std::string& name) 
 
 std::string map_announced_by(const std::string& file_name) {
     std::vector<std::string> words = words_of(fs::path(file_name).stem().string());
+    drop_workflow(words);
     while (!words.empty() && is_size(words.back())) words.pop_back();
-    if (words.empty()) return "";
-    const std::string last = words.back();
-    const std::string last_two = words.size() > 1 ? words[words.size() - 2] + last : last;
-    for (const std::string& candidate : {last_two, last}) {
-        for (const Announcement& announcement : announcements()) {
-            const auto& known = announcement.words;
-            if (std::find(known.begin(), known.end(), candidate) != known.end()) return std::string(announcement.map);
-        }
-    }
-    return "";
+    return announced_by(words);
 }
 
 std::string announcing_words() {
@@ -144,7 +176,8 @@ MapFolder find_maps(const std::string& pattern) {
     for (const auto& [map, name] : file_of) map_named(found.maps, map)->file = (folder / name).string();
     if (file_of.empty()) {
         found.problem = "no map is found by " + in_quotes(pattern) + "; expected files whose names end in " +
-                        announcing_words() + (names.empty() ? "" : "; found " + joined(names));
+                        announcing_words() + (names.empty() ? "" : "; found " + joined(names)) +
+                        "; name each of them with a key of its own, e.g. albedo_map, normal_map";
     }
     return found;
 }

@@ -4,7 +4,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <filesystem>
 #include <span>
 #include <sstream>
 #include <unordered_map>
@@ -32,43 +31,52 @@ struct Triangles {
 
 // ---- materials -------------------------------------------------------------------------------------------------
 
-void add_mtl_if_there(const std::string& path, const MtlPaths& paths, const ObjText& obj, std::size_t offset,
-                      MtlMaterials& materials) {
-    std::error_code failed;
-    if (std::filesystem::exists(path, failed)) {
-        add_mtl(read_obj_text(path), paths, materials);
-    } else {
-        add_warning(materials.warnings, obj, offset, "no such material file: " + path);
+struct MaterialReader {
+    const ObjText& obj;
+    MtlPaths paths;
+    ObjWarnings warnings;
+    MtlMaterials materials;
+
+    /// The file that `mtllib` calls so; "": there is none.
+    std::string find(const ObjName& library, const std::string& name) {
+        const NamedPath found = resolve_named_path(obj, library.offset, name, paths.root, paths.allow_outside);
+        if (found.is_beside) {
+            warnings.add("material files taken from beside the OBJ file", library.offset,
+                         path_in_quotes(name) + " is not there; " + path_in_quotes(found.path) + " is used instead");
+        }
+        return found.path;
     }
-}
+    void add(const ObjName& library, const std::string& name) {
+        const std::string path = find(library, name);
+        if (!path.empty()) return add_mtl(read_obj_text(path), paths, materials);
+        warnings.add("material files that are not there", library.offset,
+                     "no such material file: " + path_in_quotes(name));
+    }
+};
 
 /// `mtllib wood and steel.mtl` may be one file or three: one if there is such a file.
-void read_material_file(const ObjName& library, const MtlPaths& paths, const ObjText& obj, MtlMaterials& materials) {
-    const auto resolve = [&](const std::string& name) {
-        return resolve_named_path(obj, library.offset, name, paths.root, paths.allow_outside);
-    };
+void read_material_file(const ObjName& library, MaterialReader& reader) {
     std::string name = library.name;
     if (name.size() > 2 && name.front() == '"' && name.back() == '"') name = name.substr(1, name.size() - 2);
-    if (name.empty()) return add_warning(materials.warnings, obj, library.offset, "mtllib names no file");
-    const std::string whole = resolve(name);
-    std::error_code failed;
-    if (std::filesystem::exists(whole, failed) || name.find_first_of(" \t") == std::string::npos) {
-        return add_mtl_if_there(whole, paths, obj, library.offset, materials);
-    }
+    if (name.empty()) return reader.warnings.add("mtllib without a file", library.offset, "mtllib names no file");
+    const std::string whole =
+        resolve_named_path(reader.obj, library.offset, name, reader.paths.root, reader.paths.allow_outside).path;
+    if (!whole.empty() || name.find_first_of(" \t") == std::string::npos) return reader.add(library, name);
     std::istringstream words(name);
-    for (std::string word; words >> word;) add_mtl_if_there(resolve(word), paths, obj, library.offset, materials);
+    for (std::string word; words >> word;) reader.add(library, word);
 }
 
 MtlMaterials read_materials(const ObjText& obj, const ObjScan& scan, bool allow_outside) {
-    const MtlPaths paths{folder_of(obj.file), allow_outside};
-    MtlMaterials materials;
-    for (const ObjName& library : scan.material_files) read_material_file(library, paths, obj, materials);
+    MaterialReader reader{obj, {folder_of(obj.file), allow_outside}, ObjWarnings(obj), {}};
+    for (const ObjName& library : scan.material_files) read_material_file(library, reader);
     for (const ObjName& used : scan.materials) {
-        if (materials.index_of_name.contains(used.name)) continue;
-        add_warning(materials.warnings, obj, used.offset,
-                    "the material " + in_quotes(used.name) + " is in no MTL file");
+        if (reader.materials.index_of_name.contains(used.name)) continue;
+        reader.warnings.add("materials that are in no MTL file", used.offset,
+                            "the material " + in_quotes(used.name) + " is in no MTL file");
     }
-    return materials;
+    const std::vector<std::string> lines = reader.warnings.lines();
+    reader.materials.warnings.insert(reader.materials.warnings.begin(), lines.begin(), lines.end());
+    return std::move(reader.materials);
 }
 
 // ---- triangles -------------------------------------------------------------------------------------------------
@@ -128,9 +136,16 @@ Triangulation triangulate(const ObjPolygons& obj, const ObjScan& scan, const Mtl
 
 // ---- vertices --------------------------------------------------------------------------------------------------
 
+struct CornerOfPart {
+    ObjCorner corner;
+    std::uint32_t part = 0;
+    bool operator==(const CornerOfPart&) const = default;
+};
+
 struct CornerHash {
-    std::size_t operator()(const ObjCorner& c) const {
-        std::uint64_t h = static_cast<std::uint32_t>(c.position);
+    std::size_t operator()(const CornerOfPart& key) const {
+        const ObjCorner& c = key.corner;
+        std::uint64_t h = std::uint64_t{key.part} << 32 | static_cast<std::uint32_t>(c.position);
         h = h * 0x9e3779b97f4a7c15u + static_cast<std::uint32_t>(c.uv);
         h = (h ^ (h >> 29)) * 0xbf58476d1ce4e5b9u + static_cast<std::uint32_t>(c.normal);
         h = (h ^ (h >> 32)) * 0x94d049bb133111ebu;
@@ -149,14 +164,14 @@ raster::Mesh share_vertices(const ObjPolygons& obj, const Triangles& triangles) 
     raster::Mesh mesh;
     mesh.parts = triangles.parts;
     mesh.indices.reserve(triangles.corners.size());
-    std::unordered_map<ObjCorner, std::uint32_t, CornerHash> vertex_of_corner;
+    std::unordered_map<CornerOfPart, std::uint32_t, CornerHash> vertex_of_corner;
     vertex_of_corner.reserve(obj.positions.size());
-    for (const raster::MeshPart& part : mesh.parts) {
-        vertex_of_corner.clear();
+    for (std::uint32_t p = 0; p < mesh.parts.size(); ++p) {
+        const raster::MeshPart& part = mesh.parts[p];
         const auto corners = std::span(triangles.corners).subspan(3 * std::size_t(part.first_triangle));
         for (const ObjCorner& c : corners.first(3 * std::size_t(part.triangle_count))) {
             const auto [vertex, is_new] =
-                vertex_of_corner.try_emplace(c, static_cast<std::uint32_t>(mesh.positions.size()));
+                vertex_of_corner.try_emplace({c, p}, static_cast<std::uint32_t>(mesh.positions.size()));
             mesh.indices.push_back(vertex->second);
             if (!is_new) continue;
             mesh.positions.push_back(obj.positions[std::size_t(c.position)]);
@@ -193,14 +208,17 @@ std::size_t forget_normals(const ObjPolygons& obj, bool all, std::vector<ObjCorn
 }
 
 /// Smooth normals for the corners without one, added to the file's: by the file's smoothing groups if it has any.
-void make_missing_normals(const ObjScan& scan, ObjPolygons& obj, Triangles& triangles) {
+void make_missing_normals(const ObjScan& scan, const std::optional<float>& crease, ObjPolygons& obj,
+                          Triangles& triangles) {
     Triangles bare = triangles;
     for (ObjCorner& corner : bare.corners) corner.normal = -1;
     raster::Mesh mesh = share_vertices(obj, bare);
-    if (scan.has_smoothing_groups) {
+    if (crease) {
+        raster::make_smooth_normals(mesh, *crease);
+    } else if (scan.has_smoothing_groups) {
         raster::make_smooth_normals_by_group(mesh, bare.smoothing_groups);
     } else {
-        raster::make_smooth_normals(mesh);
+        raster::make_smooth_normals_without_specks(mesh);
     }
     const std::size_t first_made = obj.normals.size();
     obj.normals.insert(obj.normals.end(), mesh.normals.begin(), mesh.normals.end());
@@ -210,8 +228,9 @@ void make_missing_normals(const ObjScan& scan, ObjPolygons& obj, Triangles& tria
     }
 }
 
-raster::Mesh build_mesh(const ObjScan& scan, Normals normals, ObjPolygons& obj, Triangles& triangles,
+raster::Mesh build_mesh(const ObjScan& scan, const MeshFileOptions& options, ObjPolygons& obj, Triangles& triangles,
                         std::vector<std::string>& warnings, const std::string& file) {
+    const Normals normals = options.normals;
     const std::size_t unusable = normalize_normals(obj.normals);
     const std::size_t missing = forget_normals(obj, normals != Normals::file, triangles.corners);
     if (normals == Normals::file && unusable > 0) {
@@ -224,13 +243,15 @@ raster::Mesh build_mesh(const ObjScan& scan, Normals normals, ObjPolygons& obj, 
         raster::make_flat_normals(mesh);
         return mesh;
     }
-    if (missing > 0) make_missing_normals(scan, obj, triangles);
+    if (missing > 0) make_missing_normals(scan, options.crease, obj, triangles);
     return share_vertices(obj, triangles);
 }
 
 }  // namespace
 
 LoadedMesh load_mesh_file(const std::string& path, const MeshFileOptions& options) {
+    const std::string other = other_format(path);
+    if (!other.empty()) throw UserError(Place{path}, other);
     const ObjText text = read_obj_text(path);
     ObjScan scan = scan_obj(text);
     MtlMaterials materials = read_materials(text, scan, options.allow_outside);
@@ -247,7 +268,7 @@ LoadedMesh load_mesh_file(const std::string& path, const MeshFileOptions& option
             warning_at(text, cut.first_bad_offset,
                        "this face crosses itself or has no area; such faces: " + std::to_string(cut.bad_polygons)));
     }
-    loaded.mesh = build_mesh(scan, options.normals, obj, cut.triangles, loaded.warnings, path);
+    loaded.mesh = build_mesh(scan, options, obj, cut.triangles, loaded.warnings, path);
     loaded.mesh.origin = frame.origin;
     loaded.mesh.unit = frame.unit;
     loaded.materials = std::move(materials.materials);

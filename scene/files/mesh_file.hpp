@@ -1,6 +1,7 @@
 // Wavefront OBJ and MTL files through tinyobjloader, checked.
 #pragma once
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -18,9 +19,14 @@ struct LoadedMesh {
 };
 
 struct MeshFileOptions {
-    Normals normals = Normals::file;  ///< file: the file's own, smooth ones (60 degrees) where it has none
-    bool allow_outside = false;       ///< paths inside the OBJ and MTL may leave the OBJ's folder
+    Normals normals = Normals::file;             ///< file: the file's own, smooth ones where it has none
+    bool allow_outside = false;                  ///< paths inside the OBJ and MTL may leave the OBJ's folder
+    std::optional<float> crease = std::nullopt;  ///< degrees; none: by smoothing groups, else 60 and no specks
 };
+
+/// What a file is that is neither OBJ nor a scene, by its name: "is a PLY mesh; ..." with what can be read and how to
+/// convert it. "" for all other names.
+[[nodiscard]] std::string other_format(const std::string& path);
 
 /// Load PATH (OBJ). Throws UserError with file and, where known, line and column.
 [[nodiscard]] LoadedMesh load_mesh_file(const std::string& path, const MeshFileOptions& options = {});

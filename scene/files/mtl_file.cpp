@@ -2,7 +2,8 @@
 
 #include <algorithm>
 #include <array>
-#include <filesystem>
+#include <charconv>
+#include <cmath>
 #include <map>
 #include <optional>
 #include <sstream>
@@ -14,9 +15,19 @@ namespace kreda::scene {
 
 namespace {
 
-/// Which statements a material has: the library does not tell a colour that is absent from black.
+/// A number of a statement, and where it stands.
+struct Share {
+    float value = 1.0f;
+    std::string_view keyword;
+};
+
+/// Which statements a material has: the library does not tell a colour that is absent from black. The library knows
+/// options of maps that we do not and cuts names at blanks: maps are read here.
 struct Given {
     bool Ka = false, Kd = false, Ks = false, Ke = false, Ns = false, Pr = false, Pm = false;
+    std::optional<Share> d, Tr;
+    lighting::MaterialMaps maps;
+    std::string bump_file;
 };
 
 struct MtlScan {
@@ -27,13 +38,15 @@ struct MtlScan {
 struct Scanner {
     const ObjText& text;
     const MtlPaths& paths;
-    MtlMaterials& into;
     ObjCursor cursor;
     MtlScan scan;
+    ObjWarnings warnings;
+    bool has_no_name = false;  // the statements belong to a newmtl without a name
 };
 
-void warn(Scanner& s, std::string_view keyword, const std::string& message) {
-    add_warning(s.into.warnings, s.text, s.cursor.offset_of(keyword), message);
+/// `kind`: what such warnings have in common.
+void warn(Scanner& s, std::string_view kind, std::string_view keyword, const std::string& message) {
+    s.warnings.add(kind, s.cursor.offset_of(keyword), message);
 }
 
 bool* given_color(Given& given, std::string_view keyword) {
@@ -53,7 +66,8 @@ bool* given_number(Given& given, std::string_view keyword) {
 void scan_color(Scanner& s, std::string_view keyword, bool& given) {
     std::string_view token = s.cursor.next_number_token();
     if (token == "spectral" || token == "xyz") {
-        return warn(s, keyword, std::string(keyword) + " " + std::string(token) + " is ignored; write r g b");
+        return warn(s, "colours that are no r g b", keyword,
+                    std::string(keyword) + " " + std::string(token) + " is ignored; write r g b");
     }
     std::array<std::string_view, 3> rgb;
     for (std::size_t i = 0; i < 3; ++i) {
@@ -72,24 +86,57 @@ void scan_color(Scanner& s, std::string_view keyword, bool& given) {
     given = true;
 }
 
+/// Ns, Pr and Pm: what lies outside of the range is clearly the end of the range.
 void scan_number(Scanner& s, std::string_view keyword, bool& given) {
     const std::string_view token = s.cursor.next_number_token();
     const double value = parse_finite(s.cursor, token, "a number");
-    if (keyword == "Ns" && value < 0.0) s.cursor.fail(token, "Ns is the specular exponent: 0 or more");
-    if (keyword != "Ns" && (value < 0.0 || value > 1.0)) {
-        s.cursor.fail(token, std::string(keyword) + (keyword == "Pr" ? " is the roughness" : " is the metallic share") +
-                                 ": 0 to 1");
+    const bool is_exponent = keyword == "Ns";
+    const bool is_too_small = value < 0.0, is_too_large = !is_exponent && value > 1.0;
+    if (is_too_small || is_too_large) {
+        const std::string what = is_exponent       ? "the specular exponent: 0 or more"
+                                 : keyword == "Pr" ? "the roughness: 0 to 1"
+                                                   : "the metallic share: 0 to 1";
+        warn(s, "numbers out of range", token,
+             in_quotes(token) + ": " + std::string(keyword) + " is " + what + "; " + (is_too_small ? "0" : "1") +
+                 " is used instead");
     }
-    s.scan.statements.append(keyword).append(" ").append(token).append("\n");
+    const std::string_view used = is_too_small ? "0" : is_too_large ? "1" : token;
+    s.scan.statements.append(keyword).append(" ").append(used).append("\n");
     given = true;
+}
+
+/// d [-halo] opacity, Tr 1 - opacity
+void scan_opacity(Scanner& s, std::string_view keyword, std::optional<Share>& given) {
+    std::string_view token = s.cursor.next_number_token();
+    if (token == "-halo") token = s.cursor.next_number_token();
+    given = Share{static_cast<float>(parse_finite(s.cursor, token, "an opacity: 0 to 1")), keyword};
+}
+
+/// Say what is not drawn as it is written, when all of the material is read.
+void finish_material(Scanner& s) {
+    if (s.has_no_name || s.scan.given.empty()) return;
+    const Given& given = s.scan.given.back();
+    const bool is_opaque = given.d ? given.d->value >= 1.0f : !given.Tr || given.Tr->value <= 0.0f;
+    if (is_opaque) return;
+    const std::string_view keyword = given.d ? given.d->keyword : given.Tr->keyword;
+    warn(s, "transparent materials (d, Tr)", keyword,
+         in_quotes(keyword) + ": this material is transparent, but drawn opaque; Kreda draws no transparency");
 }
 
 bool is_number(std::string_view word) {
     return !word.empty() && word.find_first_not_of("+-.0123456789eE") == word.npos;
 }
 
-/// `-bm 0.5 -s 1 1 1 wood grain.png` -> `wood grain.png`. An option has one word, these three up to three numbers.
-std::string without_map_options(const std::string& rest) {
+/// `-bm 0.5 -s 1 1 1 wood grain.png`: the file's name, the factor of -bm, and whether there were other options.
+struct MapStatement {
+    std::string name;
+    float bump = 1.0f;
+    bool has_other_options = false;
+};
+
+/// An option has one word, -o, -s and -t up to three numbers, -mm two.
+MapStatement parse_map(const std::string& rest) {
+    MapStatement map;
     std::size_t at = 0;
     const auto word = [&] {
         const std::size_t end = std::min(rest.find_first_of(" \t", at), rest.size());
@@ -100,48 +147,102 @@ std::string without_map_options(const std::string& rest) {
         const std::string_view option = word();
         const bool has_numbers = option == "-o" || option == "-s" || option == "-t" || option == "-mm";
         skip();
+        const std::string_view value = word();
+        float factor = 1.0f;
+        const bool is_factor = option == "-bm" &&
+                               std::from_chars(value.data(), value.data() + value.size(), factor).ec == std::errc() &&
+                               std::isfinite(factor);
+        if (is_factor) map.bump = factor;
+        map.has_other_options |= !is_factor;
         if (!has_numbers) skip();
-        for (int i = 0; has_numbers && i < 3 && is_number(word()); ++i) skip();
+        for (int i = 0; has_numbers && i < (option == "-mm" ? 2 : 3) && is_number(word()); ++i) skip();
     }
-    return rest.substr(at);
+    map.name = rest.substr(at);
+    if (map.name.size() > 2 && map.name.front() == '"' && map.name.back() == '"') {
+        map.name = map.name.substr(1, map.name.size() - 2);
+    }
+    return map;
+}
+
+/// Where the file of a map belongs; null: no place for it. Programs disagree about capitals.
+std::string* file_of_map(Given& given, const std::string& keyword) {
+    if (keyword == "map_kd") return &given.maps.diffuse.file;
+    if (keyword == "map_pr") return &given.maps.roughness.file;
+    if (keyword == "map_pm") return &given.maps.metallic.file;
+    if (keyword == "norm" || keyword == "map_kn") return &given.maps.normal.file;
+    return keyword == "bump" || keyword == "map_bump" ? &given.bump_file : nullptr;
+}
+
+/// The file that a map names, or "" with a warning: a surface without one of its maps is still a surface.
+std::string existing_map(Scanner& s, std::string_view keyword, const std::string& name) {
+    const NamedPath found =
+        resolve_named_path(s.text, s.cursor.offset_of(keyword), name, s.paths.root, s.paths.allow_outside);
+    if (found.path.empty()) {
+        warn(s, "image files that are not there", keyword,
+             "no such image file: " + path_in_quotes(name) + "; drawn without it");
+    } else if (found.is_beside) {
+        warn(s, "image files taken from beside the MTL file", keyword,
+             path_in_quotes(name) + " is not there; " + path_in_quotes(found.path) + " is used instead");
+    }
+    return found.path;
 }
 
 /// A map that there is no place for, or whose file is absent, is dropped with a warning: real files have such.
 void scan_map(Scanner& s, std::string_view keyword) {
-    static constexpr std::array<std::string_view, 4> kUsed = {"map_Kd", "map_Pr", "map_Pm", "norm"};
     const std::string rest = s.cursor.rest_of_statement();
-    if (std::find(kUsed.begin(), kUsed.end(), keyword) == kUsed.end()) {
-        return warn(s, keyword, in_quotes(keyword) + " is ignored; map_Kd, map_Pr, map_Pm and norm are used");
+    std::string* const file = file_of_map(s.scan.given.back(), in_lower_case(keyword));
+    if (!file) {
+        return warn(s, std::string(keyword) + " statements", keyword,
+                    in_quotes(keyword) + " is ignored; map_Kd, map_Pr, map_Pm, norm and map_Bump are used");
     }
-    const std::string name = without_map_options(rest);
-    if (name.empty())
-        s.cursor.fail(rest.empty() ? s.cursor.next_token() : keyword, "expected the name of an image file");
-    if (name != rest) warn(s, keyword, "the options of " + std::string(keyword) + " are ignored");
-    const std::size_t offset = s.cursor.offset_of(keyword);
-    const std::string path = resolve_named_path(s.text, offset, name, s.paths.root, s.paths.allow_outside);
-    std::error_code failed;
-    if (!std::filesystem::exists(path, failed)) return warn(s, keyword, "no such image file: " + path);
-    s.scan.statements.append(keyword).append(" ").append(path).append("\n");
+    const MapStatement map = parse_map(rest);
+    if (map.name.empty()) {
+        return warn(s, "maps without a file", keyword, in_quotes(keyword) + " names no image file and is ignored");
+    }
+    const bool is_bump = file == &s.scan.given.back().bump_file;
+    if (map.has_other_options || (!is_bump && map.bump != 1.0f)) {
+        warn(s, "options of maps", keyword,
+             "the options of " + std::string(keyword) + " are ignored" + (is_bump ? ", all but -bm" : ""));
+    }
+    *file = existing_map(s, keyword, map.name);
+    if (is_bump) s.scan.given.back().maps.bump_scale = lighting::MaterialMaps{}.bump_scale * map.bump;
 }
 
-void scan_statement(Scanner& s) {
-    const std::string_view keyword = s.cursor.next_token();
-    if (keyword.empty() || keyword.front() == '#') return;
-    if (keyword == "newmtl") {
-        const std::string name = s.cursor.rest_of_statement();
-        if (name.empty()) s.cursor.fail(s.cursor.next_token(), "expected the material's name");
-        s.scan.statements.append("newmtl ").append(name).append("\n");
-        s.scan.given.emplace_back();
-        return;
+void scan_newmtl(Scanner& s, std::string_view keyword) {
+    finish_material(s);
+    const std::string name = s.cursor.rest_of_statement();
+    s.has_no_name = name.empty();
+    if (s.has_no_name) {
+        return warn(s, "newmtl without a name", keyword,
+                    "this newmtl has no name; what follows is ignored up to the next newmtl");
     }
-    if (s.scan.given.empty()) return warn(s, keyword, in_quotes(keyword) + " before the first newmtl is ignored");
+    s.scan.statements.append("newmtl ").append(name).append("\n");
+    s.scan.given.emplace_back();
+}
+
+void scan_keyword(Scanner& s, std::string_view keyword) {
+    if (keyword == "newmtl") return scan_newmtl(s, keyword);
+    if (s.has_no_name) return;
+    if (s.scan.given.empty()) {
+        return warn(s, "statements before the first newmtl", keyword,
+                    in_quotes(keyword) + " before the first newmtl is ignored");
+    }
     Given& given = s.scan.given.back();
     if (bool* const color = given_color(given, keyword)) return scan_color(s, keyword, *color);
     if (bool* const number = given_number(given, keyword)) return scan_number(s, keyword, *number);
+    if (keyword == "d") return scan_opacity(s, keyword, given.d);
+    if (keyword == "Tr") return scan_opacity(s, keyword, given.Tr);
     const bool is_map = keyword.starts_with("map_") || keyword == "norm" || keyword == "bump" || keyword == "disp" ||
                         keyword == "refl" || keyword == "decal";
     if (is_map) return scan_map(s, keyword);
     if (keyword == "illum") s.scan.statements.append("illum ").append(s.cursor.next_number_token()).append("\n");
+}
+
+void scan_statement(Scanner& s) {
+    const std::string_view keyword = s.cursor.next_token();
+    if (!keyword.empty() && keyword.front() == '#') return s.cursor.skip_line();
+    if (!keyword.empty()) scan_keyword(s, keyword);
+    s.cursor.skip_statement();
 }
 
 glm::vec3 color(const tinyobj::real_t (&rgb)[3]) {
@@ -165,11 +266,13 @@ lighting::Material convert(const tinyobj::material_t& mtl, const Given& given) {
     if (given.Kd) material.cook_torrance.albedo = color(mtl.diffuse);
     if (given.Pr) material.cook_torrance.roughness = mtl.roughness;
     if (given.Pm) material.cook_torrance.metallic = mtl.metallic;
-    material.maps.albedo.file = material.maps.diffuse.file = mtl.diffuse_texname;
-    material.maps.roughness.file = mtl.roughness_texname;
-    material.maps.metallic.file = mtl.metallic_texname;
-    material.maps.normal.file = mtl.normal_texname;
-    const bool is_pbr = given.Pr || given.Pm || !mtl.roughness_texname.empty() || !mtl.metallic_texname.empty();
+    material.maps = given.maps;
+    material.maps.albedo = given.maps.diffuse;
+    if (given.maps.normal.file.empty()) {
+        material.maps.normal.file = given.bump_file;
+        material.maps.normal_from_height = !given.bump_file.empty();
+    }
+    const bool is_pbr = given.Pr || given.Pm || !given.maps.roughness.file.empty() || !given.maps.metallic.file.empty();
     const bool is_matt = material.phong.specular == glm::vec3(0.0f) || mtl.illum == 1;
     material.model = is_pbr    ? lighting::ReflectionModel::cook_torrance
                      : is_matt ? lighting::ReflectionModel::lambert
@@ -180,11 +283,11 @@ lighting::Material convert(const tinyobj::material_t& mtl, const Given& given) {
 }  // namespace
 
 void add_mtl(const ObjText& text, const MtlPaths& paths, MtlMaterials& into) {
-    Scanner s{text, paths, into, ObjCursor(text), {}};
-    while (!s.cursor.at_end()) {
-        scan_statement(s);
-        s.cursor.skip_statement();
-    }
+    Scanner s{text, paths, ObjCursor(text), {}, ObjWarnings(text)};
+    while (!s.cursor.at_end()) scan_statement(s);
+    finish_material(s);
+    const std::vector<std::string> lines = s.warnings.lines();
+    into.warnings.insert(into.warnings.end(), lines.begin(), lines.end());
     std::map<std::string, int> unused_index;
     std::vector<tinyobj::material_t> materials;
     std::istringstream stream(s.scan.statements);

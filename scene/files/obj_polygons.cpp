@@ -75,15 +75,19 @@ void on_face(void* user_data, tinyobj::index_t* indices, int count) {
     polygons.first_corner.push_back(polygons.corners.size());
 }
 
-/// The scan has checked every index; this holds even if the library reads a token differently.
-void check_corners(const ObjText& text, const ObjPolygons& polygons) {
+/// The scan has checked every index: of those that are nowhere it has told the user. The rest holds even if the library
+/// reads a token differently.
+void check_corners(const ObjText& text, ObjPolygons& polygons) {
     const auto is_within = [](int index, int least, std::size_t count) {
         return index >= least && (index < 0 || static_cast<std::size_t>(index) < count);
     };
-    for (const ObjCorner& corner : polygons.corners) {
-        if (is_within(corner.position, 0, polygons.positions.size()) && is_within(corner.uv, -1, polygons.uvs.size()) &&
-            is_within(corner.normal, -1, polygons.normals.size()))
+    const bool has_uvs = !polygons.uvs.empty();
+    for (ObjCorner& corner : polygons.corners) {
+        if (!is_within(corner.normal, -1, polygons.normals.size())) corner.normal = -1;
+        if (!has_uvs) corner.uv = -1;
+        if (is_within(corner.position, 0, polygons.positions.size()) && is_within(corner.uv, -1, polygons.uvs.size())) {
             continue;
+        }
         throw UserError(Place{text.file}, "a face's index was misread; write its corners as v, v/vt, v//vn or v/vt/vn");
     }
 }

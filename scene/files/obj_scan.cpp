@@ -1,5 +1,6 @@
 #include "scene/files/obj_scan.hpp"
 
+#include <algorithm>
 #include <array>
 #include <charconv>
 #include <limits>
@@ -13,10 +14,11 @@ constexpr int kKinds = 3;  // position, texture coordinate, normal: the order in
 constexpr std::array<const char*, kKinds> kKindNames = {"position", "texture coordinate", "normal"};
 constexpr std::array<const char*, kKinds> kKindStatements = {"v", "vt", "vn"};
 
-/// An index that is larger than the count at its line: right if what it names comes later.
-struct ForwardReference {
+/// An index that names nothing so far: right if what it names comes later.
+struct OpenReference {
     int kind = 0;
     std::int64_t index = 0;
+    std::int64_t count = 0;  // how many there were before its line
     std::string_view token;
 };
 
@@ -25,16 +27,23 @@ struct Scanner {
     ObjCursor cursor;
     ObjScan scan;
     std::array<std::int64_t, kKinds> counts{};
-    std::vector<ForwardReference> forward;
+    std::vector<OpenReference> open;
+    ObjWarnings warnings;
     std::unordered_set<std::string> seen_materials;
     std::uint32_t smoothing_group = 0;
     std::size_t ignored = 0;
     std::string first_ignored;  // its warning, with the place
+    std::size_t colored = 0;
+    std::string first_colored;
 
-    explicit Scanner(const ObjText& obj) : text(obj), cursor(obj) {
+    explicit Scanner(const ObjText& obj) : text(obj), cursor(obj), warnings(obj) {
         scan.statements.reserve(obj.text.size());
     }
 };
+
+void warn(Scanner& s, std::string_view kind, std::string_view token, const std::string& message) {
+    s.warnings.add(kind, s.cursor.offset_of(token), in_quotes(token) + ": " + message);
+}
 
 void append(Scanner& s, std::string_view word) {
     s.scan.statements += ' ';
@@ -47,7 +56,7 @@ void end_statement(Scanner& s, int kind) {
 }
 
 /// v x y z, then nothing, a weight w, or a colour of 3 or 4 numbers; only x y z are used.
-void scan_position(Scanner& s) {
+void scan_position(Scanner& s, std::size_t offset) {
     static constexpr std::array<const char*, 3> kAxes = {"an x coordinate", "a y coordinate", "a z coordinate"};
     s.scan.statements += 'v';
     for (const char* axis : kAxes) {
@@ -65,26 +74,38 @@ void scan_position(Scanner& s) {
                       "wrong number of coordinates: a vertex is x y z, and perhaps a weight (1 number more) or a "
                       "colour (3 or 4 more)");
     }
+    if (extra >= 3 && s.colored++ == 0) s.first_colored = warning_at(s.text, offset, "'v'");
     end_statement(s, 0);
 }
 
-/// vt u [v [w]]
+/// What exporters write where there is no number: nan, -nan(ind), inf, and on Windows -1.#IND, 1.#QNAN, 1.#INF.
+bool is_nan_or_infinity(std::string_view token) {
+    if (!token.empty() && (token.front() == '-' || token.front() == '+')) token.remove_prefix(1);
+    if (token.starts_with("1.#")) token.remove_prefix(3);
+    static constexpr std::array<std::string_view, 10> kStarts = {"nan", "NaN", "NAN",  "inf",  "Inf",
+                                                                 "INF", "IND", "QNAN", "SNAN", "ind"};
+    return std::any_of(kStarts.begin(), kStarts.end(),
+                       [&](std::string_view start) { return token.starts_with(start); });
+}
+
+/// vt u [v [w]]. What is no number becomes 0.
 void scan_texture_coordinate(Scanner& s) {
     s.scan.statements += "vt";
     int numbers = 0;
+    std::string_view bad;
     std::string_view token = s.cursor.next_number_token();
     for (; numbers == 0 || (!token.empty() && numbers < 3); token = s.cursor.next_number_token(), ++numbers) {
+        if (is_nan_or_infinity(token)) {
+            bad = token;
+            append(s, "0");
+            continue;
+        }
         parse_finite(s.cursor, token, "a texture coordinate");
         append(s, token);
     }
     if (!token.empty()) s.cursor.fail(token, "wrong number of coordinates: a texture coordinate has 1, 2 or 3");
+    if (!bad.empty()) warn(s, "texture coordinates (vt) that are no numbers", bad, "is no number; 0 is used instead");
     end_statement(s, 1);
-}
-
-bool is_nan_or_infinity(std::string_view token) {
-    if (!token.empty() && (token.front() == '-' || token.front() == '+')) token.remove_prefix(1);
-    const std::string_view start = token.substr(0, 3);
-    return start == "nan" || start == "NaN" || start == "NAN" || start == "inf" || start == "Inf" || start == "INF";
 }
 
 /// vn x y z. Exporters write nan for degenerate faces: such a normal becomes 0 0 0, which counts as missing.
@@ -109,21 +130,29 @@ void scan_normal(Scanner& s) {
     s.cursor.fail(token, std::string("no such ") + kKindNames[k] + ": " + why + " (" + kKindStatements[k] + ")");
 }
 
-void check_index(Scanner& s, int kind, std::int64_t index, std::string_view token) {
+/// Whether the library shall see this index. What only comes later, or never, is settled when the text is read.
+bool keeps_index(Scanner& s, int kind, std::int64_t index, std::string_view token) {
     const std::int64_t count = s.counts[static_cast<std::size_t>(kind)];
-    if (index == 0) fail_index(s, kind, token, "indices count from 1");
-    if (index < -count) fail_index(s, kind, token, "there are " + std::to_string(count) + " before this line");
-    if (index > count) s.forward.push_back({kind, index, token});
+    if (index == 0 && kind == 0) fail_index(s, kind, token, "indices count from 1");
+    if (index == 0) {
+        warn(s, "indices 0", token,
+             "indices count from 1; 0 is taken for no " + std::string(kKindNames[static_cast<std::size_t>(kind)]));
+        return false;
+    }
+    if (index >= -count && index <= count) return true;
+    s.open.push_back({kind, index, count, token});
+    return index > 0 && index <= std::numeric_limits<std::int32_t>::max();
 }
 
-/// One corner: v, v/vt, v//vn or v/vt/vn.
+/// One corner: v, v/vt, v//vn or v/vt/vn. The library gets the indices that it shall see, in the form v/vt/vn, and no
+/// slash at the end: it would take the next corner's index for the missing one.
 void scan_corner(Scanner& s, std::string_view token) {
     static constexpr const char* kExpected = "expected a corner of a face: v, v/vt, v//vn or v/vt/vn, integers";
     const char* p = token.data();
     const char* const end = token.data() + token.size();
-    for (int kind = 0; kind < kKinds; ++kind) {
+    std::array<std::string_view, kKinds> kept;
+    for (int kind = 0; kind < kKinds && !(kind > 0 && p == end); ++kind) {
         if (kind > 0) {
-            if (p == end) return;
             if (*p != '/') s.cursor.fail(token, kExpected);
             ++p;
             if (p == end || *p == '/') continue;
@@ -134,18 +163,17 @@ void scan_corner(Scanner& s, std::string_view token) {
         if (result.ec == std::errc::result_out_of_range) {
             index = *p == '-' ? std::numeric_limits<std::int64_t>::min() : std::numeric_limits<std::int64_t>::max();
         }
-        check_index(s, kind, index, token);
+        if (keeps_index(s, kind, index, token)) kept[static_cast<std::size_t>(kind)] = {p, result.ptr};
         p = result.ptr;
     }
     if (p != end) s.cursor.fail(token, kExpected);
-}
-
-/// 1// means 1, but the library would take the next corner's index for the missing one.
-std::string_view without_trailing_slashes(std::string_view corner) {
-    return corner.substr(0, corner.find_last_not_of('/') + 1);
+    append(s, kept[0]);
+    if (!kept[1].empty() || !kept[2].empty()) s.scan.statements.append("/").append(kept[1]);
+    if (!kept[2].empty()) s.scan.statements.append("/").append(kept[2]);
 }
 
 void scan_face(Scanner& s, std::size_t offset) {
+    const std::size_t start = s.scan.statements.size(), first_open = s.open.size();
     s.scan.statements += 'f';
     int corners = 0;
     std::string_view token = s.cursor.next_number_token();
@@ -155,21 +183,33 @@ void scan_face(Scanner& s, std::size_t offset) {
                                      " corners at most; triangulate the mesh in a modelling program");
         }
         scan_corner(s, token);
-        append(s, without_trailing_slashes(token));
     }
-    if (corners < 3) s.cursor.fail(token, "a face needs at least 3 corners, found " + std::to_string(corners));
+    if (corners < 3) {
+        s.warnings.add("faces (f) of fewer than 3 corners", offset,
+                       "a face of " + std::to_string(corners) + (corners == 1 ? " corner" : " corners") +
+                           " covers nothing and is left out; a triangle has 3");
+        s.scan.statements.resize(start);
+        s.open.resize(first_open);
+        return;
+    }
     s.scan.statements += '\n';
     s.scan.faces.push_back({static_cast<std::uint32_t>(offset), s.smoothing_group});
 }
 
-/// s GROUP, s 0 or s off
+/// s GROUP, s 0, s off or s on, which some programs write: one smooth group.
 void scan_smoothing_group(Scanner& s) {
     const std::string_view token = s.cursor.next_number_token();
+    const std::string word = in_lower_case(token);
     std::uint32_t group = 0;
     const std::from_chars_result result = std::from_chars(token.data(), token.data() + token.size(), group);
     const bool is_number = result.ec == std::errc() && result.ptr == token.data() + token.size();
-    if (token != "off" && !is_number) s.cursor.fail(token, "expected a smoothing group: a number or off");
-    s.smoothing_group = token == "off" ? 0 : group;
+    if (word == "on") {
+        warn(s, "'s on'", token, "no smoothing group, which is a number; taken for group 1");
+        group = 1;
+    } else if (word != "off" && !is_number) {
+        s.cursor.fail(token, "expected a smoothing group: a number or off");
+    }
+    s.smoothing_group = group;
     s.scan.has_smoothing_groups = true;
 }
 
@@ -191,11 +231,9 @@ void scan_ignored(Scanner& s, std::string_view keyword) {
     if (s.ignored++ == 0) { s.first_ignored = warning_at(s.text, s.cursor.offset_of(keyword), in_quotes(keyword)); }
 }
 
-void scan_statement(Scanner& s) {
-    const std::string_view keyword = s.cursor.next_token();
+void scan_keyword(Scanner& s, std::string_view keyword) {
     const std::size_t offset = s.cursor.offset_of(keyword);
-    if (keyword.empty() || keyword.front() == '#') return;
-    if (keyword == "v") return scan_position(s);
+    if (keyword == "v") return scan_position(s, offset);
     if (keyword == "f") return scan_face(s, offset);
     if (keyword == "vn") return scan_normal(s);
     if (keyword == "vt") return scan_texture_coordinate(s);
@@ -205,12 +243,31 @@ void scan_statement(Scanner& s) {
     scan_ignored(s, keyword);
 }
 
-void check_forward_references(Scanner& s) {
-    for (const ForwardReference& reference : s.forward) {
+void scan_statement(Scanner& s) {
+    const std::string_view keyword = s.cursor.next_token();
+    if (!keyword.empty() && keyword.front() == '#') return s.cursor.skip_line();
+    if (!keyword.empty()) scan_keyword(s, keyword);
+    s.cursor.skip_statement();
+}
+
+/// What an index names must be somewhere in the file. A normal that is nowhere is made, as for a corner without one;
+/// texture coordinates of a file that has none are left out.
+void settle_open_references(Scanner& s) {
+    for (const OpenReference& reference : s.open) {
         const std::int64_t count = s.counts[static_cast<std::size_t>(reference.kind)];
-        if (reference.index > count) {
-            fail_index(s, reference.kind, reference.token, "the file has " + std::to_string(count));
-        }
+        if (reference.index > 0 && reference.index <= count) continue;
+        const bool can_do_without = reference.kind == 2 || (reference.kind == 1 && count == 0);
+        const std::string why = reference.index > 0
+                                    ? "the file has " + std::to_string(count)
+                                    : "there are " + std::to_string(reference.count) + " before this line";
+        if (!can_do_without) fail_index(s, reference.kind, reference.token, why);
+        const bool is_normal = reference.kind == 2;
+        warn(s,
+             is_normal ? "indices of normals (vn) that are not there"
+                       : "indices of texture coordinates (vt) in a file without",
+             reference.token,
+             is_normal ? "no such normal: " + why + " (vn); a smooth one is made"
+                       : "no such texture coordinate: " + why + " (vt); the corner has none");
     }
 }
 
@@ -218,11 +275,14 @@ void check_forward_references(Scanner& s) {
 
 ObjScan scan_obj(const ObjText& text) {
     Scanner s(text);
-    while (!s.cursor.at_end()) {
-        scan_statement(s);
-        s.cursor.skip_statement();
+    while (!s.cursor.at_end()) scan_statement(s);
+    settle_open_references(s);
+    s.scan.warnings = s.warnings.lines();
+    if (s.colored > 0) {
+        s.scan.warnings.push_back(s.first_colored + " with a colour: vertex colours are not used, " +
+                                  std::to_string(s.colored) +
+                                  " vertices have one; colour comes from materials and maps");
     }
-    check_forward_references(s);
     if (s.ignored > 0) {
         s.scan.warnings.push_back(s.first_ignored + " and what is like it is ignored: " + std::to_string(s.ignored) +
                                   " statements that make no triangle");

@@ -20,6 +20,9 @@ constexpr std::uintmax_t kMaxBytes = std::uintmax_t(1) << 30;
 bool is_line_end(char c) {
     return c == '\n' || c == '\r';
 }
+bool is_capital(char c) {
+    return c >= 'A' && c <= 'Z';
+}
 bool is_blank(char c) {
     return c == ' ' || c == '\t';
 }
@@ -30,6 +33,12 @@ std::string read_bytes(const std::string& path, std::size_t size) {
     stream.read(bytes.data(), static_cast<std::streamsize>(size));
     if (!stream) throw UserError(Place{path}, "cannot be read; check its permissions");
     return bytes;
+}
+
+std::string visible(std::string_view words) {
+    std::string text;
+    for (const char c : words) text += (c >= 0 && c < ' ') ? '?' : c;
+    return text;
 }
 
 bool has_negative_exponent(std::string_view number) {
@@ -64,18 +73,38 @@ ObjText read_obj_text(const std::string& path) {
     return check_obj_text(path, read_bytes(path, static_cast<std::size_t>(size)));
 }
 
-void add_warning(std::vector<std::string>& warnings, const ObjText& text, std::size_t offset,
-                 const std::string& message) {
-    constexpr std::size_t kMost = 50;
-    if (warnings.size() < kMost) warnings.push_back(warning_at(text, offset, message));
-    if (warnings.size() == kMost) warnings.push_back(text.file + ": there are more warnings, left out here");
+void ObjWarnings::add(std::string_view kind, std::size_t offset, const std::string& message) {
+    constexpr std::size_t kMost = 10;
+    auto found = std::find_if(kinds_.begin(), kinds_.end(), [&](const Kind& known) { return known.name == kind; });
+    if (found == kinds_.end()) found = kinds_.insert(kinds_.end(), Kind{std::string(kind), {}, 0});
+    if (found->count++ < kMost) found->lines.push_back(warning_at(text_, offset, message));
+}
+
+std::vector<std::string> ObjWarnings::lines() const {
+    std::vector<std::string> all;
+    for (const Kind& kind : kinds_) {
+        all.insert(all.end(), kind.lines.begin(), kind.lines.end());
+        const std::size_t more = kind.count - kind.lines.size();
+        if (more > 0) all.push_back(text_.file + ": and " + std::to_string(more) + " more: " + kind.name);
+    }
+    return all;
 }
 
 std::string in_quotes(std::string_view token) {
     constexpr std::size_t kLongest = 40;
-    std::string text = "'";
-    for (const char c : token.substr(0, kLongest)) text += (c >= 0 && c < ' ') ? '?' : c;
-    return text + (token.size() > kLongest ? "...'" : "'");
+    return "'" + visible(token.substr(0, kLongest)) + (token.size() > kLongest ? "...'" : "'");
+}
+
+std::string path_in_quotes(std::string_view path) {
+    constexpr std::size_t kLongest = 80;
+    if (path.size() <= kLongest) return "'" + visible(path) + "'";
+    return "'..." + visible(path.substr(path.size() - kLongest)) + "'";
+}
+
+std::string in_lower_case(std::string_view word) {
+    std::string lower(word);
+    for (char& c : lower) c = c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c;
+    return lower;
 }
 
 Place place_at(const ObjText& text, std::size_t offset) {
@@ -129,7 +158,11 @@ std::string_view ObjCursor::next_token() {
 std::string_view ObjCursor::next_number_token() {
     skip_blanks();
     const std::size_t first = position_;
-    while (!ends_token(position_) && at(position_) != '#') ++position_;
+    while (!ends_token(position_)) {
+        const bool is_in_number = position_ > first && at(position_ - 1) == '.' && is_capital(at(position_ + 1));
+        if (at(position_) == '#' && !is_in_number) break;
+        ++position_;
+    }
     return std::string_view(text_.text).substr(first, position_ - first);
 }
 
@@ -148,13 +181,22 @@ std::string ObjCursor::rest_of_statement() {
 
 void ObjCursor::skip_statement() {
     const std::string& text = text_.text;
+    if (at(position_) == '#') return skip_line();  // where a number stopped
     while (position_ < text.size() && !is_line_end(text[position_])) {
+        const bool starts_comment = text[position_] == '#' && (position_ == 0 || is_blank(at(position_ - 1)));
+        if (starts_comment) break;
         if (continues(position_)) {
             skip_blanks();
         } else {
             ++position_;
         }
     }
+    skip_line();
+}
+
+void ObjCursor::skip_line() {
+    const std::string& text = text_.text;
+    while (position_ < text.size() && !is_line_end(text[position_])) ++position_;
     if (at(position_) == '\r' && at(position_ + 1) == '\n') ++position_;
     position_ = std::min(position_ + 1, text.size());
 }
@@ -191,24 +233,41 @@ std::string folder_of(const std::string& path) {
     return folder.empty() ? "." : folder;
 }
 
-std::string resolve_named_path(const ObjText& text, std::size_t offset, const std::string& named,
-                               const std::string& root, bool allow_outside) {
+namespace {
+
+bool is_there(const fs::path& path) {
+    std::error_code failed;
+    return fs::exists(path, failed);
+}
+
+/// Whether a path ends inside a folder when all links are followed.
+bool is_inside(const fs::path& path, const std::string& root) {
+    std::error_code failed;
+    const fs::path inside = fs::weakly_canonical(path, failed);
+    const fs::path canonical_root = failed ? fs::path() : fs::weakly_canonical(root, failed);
+    const fs::path relative = failed ? fs::path() : inside.lexically_relative(canonical_root);
+    return !failed && !relative.empty() && *relative.begin() != "..";
+}
+
+}  // namespace
+
+NamedPath resolve_named_path(const ObjText& text, std::size_t offset, const std::string& named, const std::string& root,
+                             bool allow_outside) {
     std::string portable = named;
     for (char& c : portable) {
         if (c == '\\') c = '/';
     }
     const fs::path path = fs::path(folder_of(text.file)) / portable;
-    if (allow_outside) return path.string();
-    std::error_code failed;
-    const fs::path inside = fs::weakly_canonical(path, failed);
-    const fs::path canonical_root = failed ? fs::path() : fs::weakly_canonical(root, failed);
-    const fs::path relative = failed ? fs::path() : inside.lexically_relative(canonical_root);
-    if (failed || relative.empty() || *relative.begin() == "..") {
-        throw UserError(place_at(text, offset), in_quotes(named) +
-                                                    " is outside the folder of the OBJ file; move it "
-                                                    "there, or allow it with --allow-outside");
+    const fs::path beside = fs::path(folder_of(text.file)) / fs::path(portable).filename();
+    const auto may_be_read = [&](const fs::path& file) { return allow_outside || is_inside(file, root); };
+    if (is_there(path) && may_be_read(path)) return {path.string(), false};
+    if (beside != path && fs::path(portable).has_filename() && is_there(beside) && may_be_read(beside)) {
+        return {beside.string(), true};
     }
-    return path.string();
+    if (!is_there(path)) return {};
+    throw UserError(place_at(text, offset), path_in_quotes(named) +
+                                                " is outside the folder of the OBJ file; move it "
+                                                "there, or allow it with --allow-outside");
 }
 
 }  // namespace kreda::scene

@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 #include "scene/error.hpp"
@@ -30,12 +31,37 @@ struct ObjText {
 /// "FILE:LINE:COL: message", as UserError writes it.
 [[nodiscard]] std::string warning_at(const ObjText& text, std::size_t offset, const std::string& message);
 
-/// The same onto a list, until the list is long: a broken file must not bury the terminal.
-void add_warning(std::vector<std::string>& warnings, const ObjText& text, std::size_t offset,
-                 const std::string& message);
+/// Warnings of one text: of each kind the first ten with their places, then how many more there are. A broken file must
+/// not bury the terminal.
+class ObjWarnings {
+public:
+    explicit ObjWarnings(const ObjText& text) : text_(text) {}
+
+    /// `kind` is what warnings that say the same have in common, in words that fit behind "and 7 more: ".
+    void add(std::string_view kind, std::size_t offset, const std::string& message);
+
+    /// All lines, those of a kind together, the kinds in the order in which they came.
+    [[nodiscard]] std::vector<std::string> lines() const;
+
+private:
+    struct Kind {
+        std::string name;
+        std::vector<std::string> lines;
+        std::size_t count = 0;
+    };
+
+    const ObjText& text_;
+    std::vector<Kind> kinds_;
+};
 
 /// 'token', cut where it is long, control characters made visible.
 [[nodiscard]] std::string in_quotes(std::string_view token);
+
+/// Letters of ASCII alone.
+[[nodiscard]] std::string in_lower_case(std::string_view word);
+
+/// 'path': of a long one the beginning is cut, because its end holds the file's name.
+[[nodiscard]] std::string path_in_quotes(std::string_view path);
 
 /// Walks over the text, statement by statement. A statement ends with its line, but a backslash at the end of
 /// the line joins the next one to it.
@@ -52,12 +78,15 @@ public:
 
     /// The next word of this statement, "" at its end.
     std::string_view next_token();
-    /// As next_token, but `#` starts a comment: for statements of numbers, where it cannot be part of a name.
+    /// As next_token, but `#` starts a comment: for statements of numbers, where it cannot be part of a name. Behind a
+    /// point it is part of the number: Windows writes what is not a number as -1.#IND.
     std::string_view next_number_token();
     /// What is left of the statement, blanks at both ends removed, continuations turned into blanks.
     std::string rest_of_statement();
-    /// To the first byte of the next statement.
+    /// To the first byte of the next statement. A comment ends with its line, backslash or not.
     void skip_statement();
+    /// To the first byte of the next line.
+    void skip_line();
     /// The place of a token that this cursor returned.
     [[nodiscard]] std::size_t offset_of(std::string_view token) const {
         return static_cast<std::size_t>(token.data() - text_.text.data());
@@ -79,10 +108,18 @@ private:
 /// A finite number within float's range. `what` names it in the message: "an x coordinate".
 double parse_finite(const ObjCursor& cursor, std::string_view token, const char* what);
 
-/// Resolve a path that `text` names, relative to its own folder, with / or \ between folders. Unless `allow_outside`,
-/// a path that ends outside `root` (symbolic links followed) is an error at `offset`.
-[[nodiscard]] std::string resolve_named_path(const ObjText& text, std::size_t offset, const std::string& named,
-                                             const std::string& root, bool allow_outside);
+/// What a path in a text leads to.
+struct NamedPath {
+    std::string path;        ///< the file to read, empty: there is none that may be read
+    bool is_beside = false;  ///< not where the text says, but the file of that name beside the text
+};
+
+/// Resolve a path that `text` names, relative to its own folder, with / or \ between folders. Where nothing is there, a
+/// file of the same name beside the text is taken: texts are full of paths of other people's disks. Unless
+/// `allow_outside`, nothing outside `root` (symbolic links followed) is given back; a file that is there, but outside,
+/// is an error at `offset`.
+[[nodiscard]] NamedPath resolve_named_path(const ObjText& text, std::size_t offset, const std::string& named,
+                                           const std::string& root, bool allow_outside);
 
 /// The folder of a file: "." where its path names none.
 [[nodiscard]] std::string folder_of(const std::string& path);

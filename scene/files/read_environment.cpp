@@ -16,10 +16,15 @@ std::string size_text(const raster::Image& image) {
 }
 
 std::string repairs_text(const lighting::EnvironmentRepairs& repairs) {
-    return "holds texels that are no light: " + std::to_string(repairs.negative) + " negative (set to 0), " +
-           std::to_string(repairs.nan) + " not a number (mean of their neighbours), " +
-           std::to_string(repairs.infinite) + " infinite (set to the largest finite one), " +
-           std::to_string(repairs.too_bright) + " too bright (set to 1e9)";
+    std::string list;
+    const auto say = [&](std::size_t count, const char* what) {
+        if (count > 0) list += (list.empty() ? "" : ", ") + std::to_string(count) + what;
+    };
+    say(static_cast<std::size_t>(repairs.negative), " negative (set to 0)");
+    say(static_cast<std::size_t>(repairs.nan), " not a number (mean of their neighbours)");
+    say(static_cast<std::size_t>(repairs.infinite), " infinite (set to the largest finite one)");
+    say(static_cast<std::size_t>(repairs.too_bright), " too bright (set to 1e9)");
+    return "holds texels that are no light: " + list;
 }
 
 /// What was done to an image, and what was made of its channels and numbers.

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <filesystem>
 #include <map>
+#include <optional>
 #include <set>
 #include <stdexcept>
 
@@ -15,6 +16,7 @@
 #include "raster/triangle_setup.hpp"
 #include "scene/files/mesh_file.hpp"
 #include "scene/files/toml_check.hpp"
+#include "scene/join_parts.hpp"
 
 namespace kreda::scene {
 
@@ -37,7 +39,7 @@ struct ObjectReader {
 
     void read_object(const Value& table);
     SharedMesh mesh_of(const Value& table);
-    SharedMesh load_file(const std::string& path, Normals normals);
+    SharedMesh load_file(const std::string& path, Normals normals, const std::optional<float>& crease);
     int material_named(const Value& name) const;
     int material_of_none();
 };
@@ -47,17 +49,18 @@ std::vector<std::string> built_in_names() {
     return {names.begin(), names.end()};
 }
 
-raster::Mesh built_in_mesh(const Value& table, const std::string& name, int detail, Normals normals) {
+raster::Mesh built_in_mesh(const Value& table, const std::string& name, int detail, Normals normals,
+                           const std::optional<float>& crease) {
     try {
         raster::Mesh mesh = *raster::make_shape(name, detail);
-        if (normals == Normals::smooth) raster::make_smooth_normals(mesh);
+        if (normals == Normals::smooth) raster::make_smooth_normals(mesh, crease.value_or(60.0f));
         if (normals == Normals::flat) raster::make_flat_normals(mesh);
         return mesh;
     } catch (const std::invalid_argument& error) { throw UserError(place_of(table, "detail"), error.what()); }
 }
 
-SharedMesh ObjectReader::load_file(const std::string& path, Normals normals) {
-    LoadedMesh loaded = load_mesh_file(path, {normals, options.allow_outside});
+SharedMesh ObjectReader::load_file(const std::string& path, Normals normals, const std::optional<float>& crease) {
+    LoadedMesh loaded = load_mesh_file(path, {normals, options.allow_outside, crease});
     const SharedMesh shared{std::make_shared<const raster::Mesh>(std::move(loaded.mesh)),
                             static_cast<int>(scene.materials.size())};
     scene.warnings.insert(scene.warnings.end(), loaded.warnings.begin(), loaded.warnings.end());
@@ -71,14 +74,18 @@ SharedMesh ObjectReader::mesh_of(const Value& table) {
     Normals normals = Normals::file;
     read(table, "mesh", name);
     read_word(table, "normals", normals);
-    const std::string with_normals = " normals " + std::to_string(static_cast<int>(normals));
+    std::optional<float> crease;
+    if (find(table, "crease")) read(table, "crease", crease.emplace());
+    const std::string with_normals =
+        " normals " + std::to_string(static_cast<int>(normals)) + " crease " + (crease ? std::to_string(*crease) : "");
 
     const std::vector<std::string> shapes = built_in_names();
     if (std::find(shapes.begin(), shapes.end(), name) != shapes.end()) {
         int detail = raster::default_detail(name).value();
         read(table, "detail", detail);
         SharedMesh& shared = meshes[name + " detail " + std::to_string(detail) + with_normals];
-        if (!shared.mesh) shared.mesh = std::make_shared<raster::Mesh>(built_in_mesh(table, name, detail, normals));
+        if (!shared.mesh)
+            shared.mesh = std::make_shared<raster::Mesh>(built_in_mesh(table, name, detail, normals, crease));
         return shared;
     }
     const std::filesystem::path path = (std::filesystem::path(folder) / name).lexically_normal();
@@ -92,7 +99,7 @@ SharedMesh ObjectReader::mesh_of(const Value& table) {
                         "'detail' is for built-in meshes; " + in_quotes(name) + " is a file, its triangles are fixed");
     }
     SharedMesh& shared = meshes[path.string() + with_normals];
-    if (!shared.mesh) shared = load_file(path.string(), normals);
+    if (!shared.mesh) shared = load_file(path.string(), normals, crease);
     return shared;
 }
 
@@ -190,15 +197,24 @@ glm::mat4 world_from_object(glm::vec3 translate, glm::vec3 rotate_deg, glm::vec3
 namespace {
 
 /// Triangles are numbered chunk by chunk, 2^16 chunks at most, and a chunk holds triangles of one part only.
-void check_parts(const Scene& scene) {
+std::uint64_t count_chunks(const Scene& scene) {
     std::uint64_t chunks = 0;
     for (const Object& object : scene.objects) {
         for (const raster::MeshPart& part : object.mesh->parts)
             chunks += part.triangle_count / raster::kTrianglesPerChunk + 1;
     }
-    if (chunks < (std::uint64_t{1} << 16)) return;
-    throw UserError({scene.file}, "the meshes have too many parts or triangles (" + std::to_string(chunks) +
-                                      " chunks of one part; at most 65535); join parts that share a material");
+    return chunks;
+}
+
+/// Many small parts become one part a material; what is still too much is too much.
+void limit_parts(Scene& scene) {
+    constexpr std::uint64_t kMany = 1 << 14, kMost = (1 << 16) - 1;
+    if (count_chunks(scene) > kMany) join_parts(scene);
+    const std::uint64_t chunks = count_chunks(scene);
+    if (chunks <= kMost) return;
+    throw UserError({scene.file}, "the meshes have too many materials, objects or triangles (" +
+                                      std::to_string(chunks) +
+                                      " runs of up to 4096 triangles of one object and material; at most 65535)");
 }
 
 }  // namespace
@@ -209,7 +225,7 @@ void read_objects(const Value& root, const std::string& folder, const ReadOption
     if (!objects) return;
     ObjectReader reader{folder, options, placements, scene, scene.materials.size(), -1, {}};
     for (const Value& table : objects->items) reader.read_object(table);
-    check_parts(scene);
+    limit_parts(scene);
 }
 
 }  // namespace kreda::scene

@@ -53,8 +53,6 @@ TEST_CASE("mesh errors: indices outside the file are found where they stand") {
                            Bad{"f 1 2 -4294967295\n", "a.obj:4:7: '-4294967295'", "no such position"},
                            Bad{"f 1 2 99999999999999999999\n", "a.obj:4:7: ", "no such position"},  // beyond 64 bits
                            Bad{"f 1 2 -99999999999999999999\n", "a.obj:4:7: ", "no such position"},
-                           Bad{"f 1/1 2/1 3/1\n", "a.obj:4:3: '1/1'", "no such texture coordinate: the file has 0"},
-                           Bad{"f 1//1 2//1 3//1\n", "a.obj:4:3: '1//1'", "no such normal: the file has 0"},
                            Bad{"f 1 2 3\nvt 0 0\n\tf 1/1 2/1 3/2 # c\n", "a.obj:6:12: '3/2'", "the file has 1"},
                            Bad{"f 1 2 3\nf 1 2 \\\n  7\n", "a.obj:6:3: '7'", "no such position"}}) {
         CAPTURE(bad.text);
@@ -83,11 +81,10 @@ TEST_CASE("mesh errors: numbers that are none are found where they stand") {
                            Bad{"v 1 2 3m\n", "a.obj:4:7: '3m'", "a number"},
                            Bad{"v 1 2 +-3\n", "a.obj:4:7: '+-3'", "a number"},
                            Bad{"vt\n", "a.obj:4:3: the line ends", "texture coordinate"},
-                           Bad{"vt inf\n", "a.obj:4:4: 'inf'", "finite"},
                            Bad{"vt 1 2 3 4\n", "a.obj:4:10: '4'", "1, 2 or 3"},
                            Bad{"vn 0 1\n", "a.obj:4:7: the line ends", "normal"},
                            Bad{"vn 0 0 1 0\n", "a.obj:4:10: '0'", "a normal has 3"},
-                           Bad{"f 1 2\n", "a.obj:4:6: ", "at least 3 corners, found 2"},
+                           Bad{"v -1.#IND 0 0\n", "a.obj:4:3: '-1.#IND'", "an x coordinate, a number"},
                            Bad{"f 1 2 3.5\n", "a.obj:4:7: '3.5'", "expected a corner"},
                            Bad{"f 1/ 2/ x/\n", "a.obj:4:9: 'x/'", "expected a corner"},
                            Bad{"f 1///1 2 3\n", "a.obj:4:3: ", "expected a corner"},
@@ -125,10 +122,7 @@ TEST_CASE("mesh errors: numbers in an MTL are checked with their place") {
     for (const Bad& bad :
          {Bad{"Kd 1 0\n", "a.mtl:2:7: the line ends", "r g b"}, Bad{"Kd 1 nan 0\n", "a.mtl:2:6: 'nan'", "finite"},
           Bad{"Kd 0,5\n", "a.mtl:2:4: '0,5'", "decimals with a point"},
-          Bad{"Ks 1 1 1 1\n", "a.mtl:2:10: '1'", "3 numbers"}, Bad{"Ns -1\n", "a.mtl:2:4: '-1'", "0 or more"},
-          Bad{"Pr 1.5\n", "a.mtl:2:4: '1.5'", "0 to 1"}, Bad{"Pm x\n", "a.mtl:2:4: 'x'", "a number"},
-          Bad{"map_Kd\n", "a.mtl:2:7: the line ends", "image file"},
-          Bad{"newmtl\n", "a.mtl:2:7: the line ends", "name"}}) {
+          Bad{"Ks 1 1 1 1\n", "a.mtl:2:10: '1'", "3 numbers"}, Bad{"Pm x\n", "a.mtl:2:4: 'x'", "a number"}}) {
         CAPTURE(bad.text);
         const std::string message = error_of(obj, "newmtl m\n" + bad.text);
         CAPTURE(message);
@@ -143,6 +137,7 @@ TEST_CASE("mesh errors: paths in a file stay in its folder unless that is allowe
     folder.write("in/a.mtl", "newmtl m\nmap_Kd ../secret.mtl\n");
     std::filesystem::create_symlink(folder.file("secret.mtl"), folder.file("in/link.mtl"));
     const std::string face = kVertices + "f 1 2 3\n";
+    folder.write("in/x/y.txt", "");
     for (const std::string& name :
          {std::string("../secret.mtl"), std::string("x/../../secret.mtl"), std::string("link.mtl"),
           std::string("..\\secret.mtl"), folder.file("secret.mtl"), std::string("/dev/zero")}) {

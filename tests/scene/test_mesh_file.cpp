@@ -85,16 +85,15 @@ TEST_CASE("mesh file: faces may come before their vertices") {
 }
 
 TEST_CASE("mesh file: all ways to write one triangle are the same triangle") {
-    for (const std::string& text :
-         {std::string("\xef\xbb\xbfv 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n"),  // byte-order mark
-          std::string("v 0 0 0\r\nv 1 0 0\r\nv 0 1 0\r\nf 1 2 3\r\n"),      // CRLF
-          std::string("v 0 0 0\rv 1 0 0\rv 0 1 0\rf 1 2 3"),                // CR, no end of line at the end
-          std::string("v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3 # comment\n"),
-          std::string("# comment\nv 0 0 0# c\n\n  v\t1   0 0\nv 0 1 0\nf 1 2 3#c\n"),
-          std::string("v 0 0 0\nv 1 0 \\\n 0\nv 0 1 0\nf 1 \\\r\n2 3\\"),            // continuations
-          std::string("v 0 0 0 1\nv 1 0 0 1 .5 .5\nv 0 1 0 .1 .2 .3 1\nf 1 2 3\n"),  // weights and colours
-          std::string("v -0 +0 0.\nv 1e0 .0 0E-5\nv 0 10e-1 1e-999\nf 1// 2/ 3\n"),
-          std::string("vt 0.5\nvt 1 2 3\nvn 0 0 1\nv 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n")}) {
+    for (const std::string& text : {std::string("\xef\xbb\xbfv 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n"),  // byte-order mark
+                                    std::string("v 0 0 0\r\nv 1 0 0\r\nv 0 1 0\r\nf 1 2 3\r\n"),      // CRLF
+                                    std::string("v 0 0 0\rv 1 0 0\rv 0 1 0\rf 1 2 3"),  // CR, no end of line at the end
+                                    std::string("v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3 # comment\n"),
+                                    std::string("# comment\nv 0 0 0# c\n\n  v\t1   0 0\nv 0 1 0\nf 1 2 3#c\n"),
+                                    std::string("v 0 0 0\nv 1 0 \\\n 0\nv 0 1 0\nf 1 \\\r\n2 3\\"),  // continuations
+                                    std::string("v 0 0 0 1\nv 1 0 0 1\nv 0 1 0\nf 1 2 3\n"),         // weights
+                                    std::string("v -0 +0 0.\nv 1e0 .0 0E-5\nv 0 10e-1 1e-999\nf 1// 2/ 3\n"),
+                                    std::string("vt 0.5\nvt 1 2 3\nvn 0 0 1\nv 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n")}) {
         CAPTURE(text);
         const LoadedMesh loaded = load_text(text);
         CHECK(loaded.mesh.positions == kTrianglePositions);
@@ -225,7 +224,7 @@ TEST_CASE("mesh file: maps are found beside their MTL and absent ones only warn"
     folder.write("textures/r.png", "");
     folder.write("textures/a.mtl",
                  "newmtl m\nmap_Kd -s 1 1 -bm 0.5 wood grain.png\nmap_Pr r.png\nmap_Pm absent.png\n"
-                 "norm ..\\textures\\r.png\nmap_Bump r.png\n");
+                 "norm ..\\textures\\r.png\ndisp r.png\n");
     const LoadedMesh loaded = load_mesh_file(folder.write("a.obj", "mtllib textures/a.mtl\n" + kTriangle));
     const lighting::MaterialMaps& maps = loaded.materials.at(0).maps;
     CHECK(std::filesystem::equivalent(maps.albedo.file, folder.file("textures/wood grain.png")));
@@ -235,7 +234,7 @@ TEST_CASE("mesh file: maps are found beside their MTL and absent ones only warn"
     CHECK(maps.metallic.file.empty());
     CHECK(loaded.materials[0].model == lighting::ReflectionModel::cook_torrance);
     CHECK(mentions(loaded.warnings, "a.mtl:4:1: no such image file"));
-    CHECK(mentions(loaded.warnings, "a.mtl:6:1: 'map_Bump' is ignored"));
+    CHECK(mentions(loaded.warnings, "a.mtl:6:1: 'disp' is ignored"));
 }
 
 TEST_CASE("mesh file: parts of different materials share no vertex") {

@@ -1,0 +1,194 @@
+// Files as programs and people write them: one odd line costs a warning with its place, not the mesh.
+#include "scene/files/mesh_file.hpp"
+
+#include <algorithm>
+
+#include <doctest/doctest.h>
+
+#include "tests/scene/temp_folder.hpp"
+
+using kreda::scene::load_mesh_file;
+using kreda::scene::LoadedMesh;
+using kreda::scene::other_format;
+using kreda::scene::UserError;
+using kreda::tests::TempFolder;
+
+namespace {
+
+const std::string kVertices = "v 0 0 0\nv 1 0 0\nv 0 1 0\n";
+
+bool has(const std::string& message, const std::string& words) {
+    return message.find(words) != message.npos;
+}
+
+/// Warnings without the folder's name.
+struct Result {
+    LoadedMesh loaded;
+    std::vector<std::string> warnings;
+};
+
+Result load(const TempFolder& folder, const std::string& file) {
+    Result result{load_mesh_file(folder.file(file)), {}};
+    const std::string start = folder.path.string() + "/";
+    for (const std::string& warning : result.loaded.warnings) {
+        result.warnings.push_back(warning.starts_with(start) ? warning.substr(start.size()) : warning);
+    }
+    return result;
+}
+
+Result load_text(const std::string& obj, const std::string& mtl = "") {
+    const TempFolder folder;
+    folder.write("a.obj", obj);
+    if (!mtl.empty()) folder.write("a.mtl", mtl);
+    return load(folder, "a.obj");
+}
+
+struct Odd {
+    std::string text;   // behind kVertices: starts in line 4
+    std::string start;  // of the only warning
+    std::string words;  // in it
+};
+
+std::string only_warning(const Result& result) {
+    REQUIRE(result.warnings.size() == 1);
+    return result.warnings[0];
+}
+
+}  // namespace
+
+TEST_CASE("mesh habits: an odd line of an OBJ costs one warning, and the triangle is drawn") {
+    for (const Odd& odd :
+         {Odd{"s on\nf 1 2 3\n", "a.obj:4:3: 'on'", "group 1"},
+          Odd{"vt 0 0\nf 1/1/0 2/1 3/1\n", "a.obj:5:3: '1/1/0'", "0 is taken for no normal"},
+          Odd{"f 1/0 2 3\n", "a.obj:4:3: '1/0'", "0 is taken for no texture coordinate"},
+          Odd{"f 1 2\nf 1 2 3\n", "a.obj:4:1: a face of 2 corners", "left out"},
+          Odd{"f 1\nf 1 2 3\n", "a.obj:4:1: a face of 1 corner ", "left out"},
+          Odd{"f\nf 1 2 3\n", "a.obj:4:1: a face of 0 corners", "left out"},
+          Odd{"vn 0 0 1\nf 1//1 2//2 3//1\n", "a.obj:5:8: '2//2'", "no such normal: the file has 1 (vn)"},
+          Odd{"vn 0 0 1\nf 1//1 2//-2 3//1\n", "a.obj:5:8: '2//-2'", "no such normal: there are 1 before"},
+          Odd{"vn 0 0 1\nf 1//1 2//99999999999 3//1\n", "a.obj:5:8: '2//9", "no such normal"},
+          Odd{"vt nan nan\nf 1/1 2/1 3/1\n", "a.obj:4:8: 'nan'", "0 is used instead"},
+          Odd{"vt inf\nf 1/1 2/1 3/1\n", "a.obj:4:4: 'inf'", "0 is used instead"},
+          Odd{"vt 0 -1.#IND\nf 1/1 2/1 3/1\n", "a.obj:4:6: '-1.#IND'", "0 is used instead"},
+          Odd{"v 1 1 1 1 0 0\nf 1 2 3\n", "a.obj:4:1: 'v' with a colour", "1 vertices have one"}}) {
+        CAPTURE(odd.text);
+        const Result result = load_text(kVertices + odd.text);
+        const std::string warning = only_warning(result);
+        CAPTURE(warning);
+        CHECK(warning.starts_with(odd.start));
+        CHECK(has(warning, odd.words));
+        CHECK(result.loaded.mesh.triangle_count() == 1);
+        for (const glm::vec3& normal : result.loaded.mesh.normals) CHECK(normal == glm::vec3(0, 0, 1));
+    }
+}
+
+TEST_CASE("mesh habits: indices of normals and texture coordinates in a file without any are left out") {
+    const Result result = load_text(kVertices + "f 1/1/1 2/2/1 3/3/1\n");
+    REQUIRE(result.warnings.size() == 6);  // three a kind
+    CHECK(result.loaded.mesh.uvs.empty());
+    CHECK(result.loaded.mesh.normals[0] == glm::vec3(0, 0, 1));
+}
+
+TEST_CASE("mesh habits: # is part of a number behind its point and starts a comment elsewhere") {
+    const Result result = load_text(kVertices + "vn -1.#IND 0 0\nf 1//1 2//1 3//1#c\n");
+    CHECK(has(only_warning(result), "normals have no length"));
+    CHECK(result.loaded.mesh.normals[0] == glm::vec3(0, 0, 1));
+}
+
+TEST_CASE("mesh habits: a backslash at the end of a comment joins nothing to it") {
+    CHECK(load_text("# C:\\art\\\n" + kVertices + "f 1 2 3 # c \\\nf 3 2 1#c\\\nf 1 3 2\n")
+              .loaded.mesh.triangle_count() == 3);
+    CHECK(load_text(kVertices + "l 1 2 # c \\\nf 1 2 3\n").loaded.mesh.triangle_count() == 1);
+    CHECK(load_text(kVertices + "f 1 2 \\\n3\n").loaded.mesh.triangle_count() == 1);
+}
+
+TEST_CASE("mesh habits: of many warnings of a kind ten are shown, and how many more there are") {
+    std::string text = kVertices + "f 1 2 3\n";
+    for (int i = 0; i < 25; ++i) text += "f 1 2\n";
+    const Result result = load_text(text + "s on\n");
+    REQUIRE(result.warnings.size() == 12);
+    CHECK(result.warnings[9].starts_with("a.obj:14:1: "));
+    CHECK(result.warnings[10] == "a.obj: and 15 more: faces (f) of fewer than 3 corners");
+    CHECK(has(result.warnings[11], "'on'"));
+}
+
+TEST_CASE("mesh habits: an odd line of an MTL costs one warning, and the rest counts") {
+    const std::string obj = "mtllib a.mtl\n" + kVertices + "usemtl m\nf 1 2 3\n";
+    for (const Odd& odd :
+         {Odd{"map_Kd\n", "a.mtl:3:1: 'map_Kd' names no image file", "ignored"},
+          Odd{"map_Kd C:\\art\\wood.png\n", "a.mtl:3:1: no such image file: 'C:\\art\\wood.png'", "without it"},
+          Odd{"map_Kd ..\\maps\\wood.png\n", "a.mtl:3:1: no such image file", "wood.png'"},
+          Odd{"map_Kd /art/wood.png\n", "a.mtl:3:1: no such image file: '/art/wood.png'", ""},
+          Odd{"newmtl\nKd 1 1 1\n", "a.mtl:3:1: this newmtl has no name", "up to the next newmtl"},
+          Odd{"d 0.3\n", "a.mtl:3:1: 'd': this material is transparent", "drawn opaque"},
+          Odd{"Tr 0.7\n", "a.mtl:3:1: 'Tr': this material is transparent", "drawn opaque"},
+          Odd{"d -halo 0.3\n", "a.mtl:3:1: 'd'", "drawn opaque"},
+          Odd{"Ns -1\n", "a.mtl:3:4: '-1': Ns is the specular exponent", "0 is used"},
+          Odd{"Pr 1.5\n", "a.mtl:3:4: '1.5': Pr is the roughness", "1 is used"}}) {
+        CAPTURE(odd.text);
+        const Result result = load_text(obj, "newmtl m\nKd 0.25 0.5 0.75\n" + odd.text);
+        const std::string warning = only_warning(result);
+        CAPTURE(warning);
+        CHECK(warning.starts_with(odd.start));
+        CHECK(has(warning, odd.words));
+        REQUIRE(result.loaded.materials.size() == 1);
+        CHECK(result.loaded.materials[0].phong.diffuse == glm::vec3(0.25f, 0.5f, 0.75f));
+    }
+    CHECK(load_text(obj, "newmtl m\nd 1\nTr 1\nTr 0\n").warnings.empty());  // d holds where both are there
+}
+
+TEST_CASE("mesh habits: a path of somebody else's disk leads to the file of that name beside the mesh") {
+    const TempFolder folder;
+    folder.write("wood.png", "x");
+    folder.write("a.mtl", "newmtl m\nmap_Kd D:\\art\\wood.png\n");
+    folder.write("a.obj", "mtllib /home/somebody/a.mtl\n" + kVertices + "usemtl m\nf 1 2 3\n");
+    const Result result = load(folder, "a.obj");
+    REQUIRE(result.warnings.size() == 2);
+    CHECK(has(result.warnings[0], "a.obj:1:1: '/home/somebody/a.mtl' is not there; "));
+    CHECK(has(result.warnings[1], "a.mtl:2:1: 'D:\\art\\wood.png' is not there; "));
+    REQUIRE(result.loaded.materials.size() == 1);
+    CHECK(has(result.loaded.materials[0].maps.diffuse.file, "wood.png"));
+}
+
+TEST_CASE("mesh habits: of a long path the end is shown") {
+    const std::string path = "C:\\" + std::string(200, 'x') + "\\the_file.png";
+    const Result result = load_text("mtllib a.mtl\n" + kVertices + "f 1 2 3\n", "newmtl m\nmap_Kd " + path + "\n");
+    CHECK(has(only_warning(result), "xxx\\the_file.png'"));
+    CHECK(has(only_warning(result), "'...xxx"));
+}
+
+TEST_CASE("mesh habits: maps of an MTL go where they belong, options and capitals or not") {
+    const TempFolder folder;
+    for (const char* name : {"kd.png", "ke.png", "bump it.png", "norm.png"}) folder.write(name, "x");
+    const std::string face = kVertices + "usemtl m\nf 1 2 3\n";
+    folder.write("a.obj", "mtllib a.mtl\n" + face);
+    folder.write("a.mtl",
+                 "newmtl m\nmap_Kd kd.png\nmap_Bump -bm 0.5 bump it.png\nbump -bm 0.5 bump it.png\n");
+    Result result = load(folder, "a.obj");
+    CHECK(result.warnings.empty());
+    const kreda::lighting::MaterialMaps maps = result.loaded.materials[0].maps;
+    CHECK(maps.albedo.file == folder.file("kd.png"));
+    CHECK(maps.diffuse.file == folder.file("kd.png"));
+    CHECK(maps.normal.file == folder.file("bump it.png"));
+    CHECK(maps.normal_from_height);
+    CHECK(maps.bump_scale == doctest::Approx(0.5 * 0.02));
+    folder.write("a.mtl", "newmtl m\nnorm norm.png\nmap_bump bump it.png\n");
+    result = load(folder, "a.obj");
+    CHECK(result.loaded.materials[0].maps.normal.file == folder.file("norm.png"));
+    CHECK_FALSE(result.loaded.materials[0].maps.normal_from_height);
+}
+
+TEST_CASE("mesh habits: other formats are called by their names, with the way to an OBJ") {
+    CHECK(has(other_format("a/b.PLY"), "is a PLY mesh; Kreda reads meshes as OBJ"));
+    CHECK(has(other_format("a/b.stl"), "`assimp export b.stl b.obj`"));
+    CHECK(has(other_format("b.glb"), "glTF"));
+    CHECK(has(other_format("b.fbx"), "Blender"));
+    CHECK(has(other_format("b.mtl"), "give the OBJ file itself"));
+    CHECK(has(other_format("b.png"), "is an image"));
+    CHECK(has(other_format("b.zip"), "unpack"));
+    CHECK(other_format("b.obj").empty());
+    CHECK(other_format("b.toml").empty());
+    CHECK(other_format("b").empty());
+    const TempFolder folder;
+    CHECK_THROWS_AS((void)load_mesh_file(folder.write("a.stl", "solid a\n")), UserError);
+}
