@@ -36,6 +36,10 @@ lighting::Placement placement_of(const EnvironmentSettings& settings) {
     return {rotation.cos, rotation.sin, settings.intensity};
 }
 
+void add_light_table(const EnvironmentSettings& settings, lighting::EnvironmentMaps& maps) {
+    if (settings.reference > 0 && !maps.prefiltered.empty()) maps.light = lighting::make_light_table(maps.prefiltered);
+}
+
 PreparedEnvironment prepare_environment(const EnvironmentSettings& settings, const lighting::EnvironmentNeeds& needs,
                                         const lighting::Progress& progress) {
     const std::vector<double> bake = lighting::bake_work(environment_size(settings), needs, settings.samples);
@@ -49,14 +53,17 @@ PreparedEnvironment prepare_environment(const EnvironmentSettings& settings, con
     prepared.needs = needs;
     const lighting::CubeMap radiance = needs.any() ? environment_cube(settings, {}, steps[0]) : lighting::CubeMap{};
     prepared.maps = lighting::bake_environment(radiance, needs, settings.samples, steps[1]);
+    add_light_table(settings, prepared.maps);
     return prepared;
 }
 
 bool serves(const PreparedEnvironment& prepared, const EnvironmentSettings& settings,
             const lighting::EnvironmentNeeds& needs) {
+    const bool lacks_table =
+        settings.reference > 0 && !prepared.maps.prefiltered.empty() && prepared.maps.light.size == 0;
     const bool same_sky = settings.image || prepared.sky == settings.sky;
     return prepared.image == settings.image && same_sky && prepared.samples == settings.samples &&
-           prepared.needs == needs;
+           prepared.needs == needs && !lacks_table;
 }
 
 lighting::EnvironmentSetup environment_setup(const EnvironmentSettings& settings, const PreparedEnvironment& prepared) {

@@ -59,6 +59,9 @@ struct PreparedEnvironment {
                                                       const lighting::EnvironmentNeeds& needs,
                                                       const lighting::Progress& progress = {});
 
+/// Where its light comes from, once level 0 is there, if environment.reference asks for it.
+void add_light_table(const EnvironmentSettings& settings, lighting::EnvironmentMaps& maps);
+
 /// Were these maps made for this environment and these needs?
 [[nodiscard]] bool serves(const PreparedEnvironment& prepared, const EnvironmentSettings& settings,
                           const lighting::EnvironmentNeeds& needs);

@@ -29,6 +29,7 @@ struct EnvironmentChannels {
     raster::Channel3 F;              ///< at n.v
     raster::Channel3 diffuse;        ///< of ambient, what comes from the environment by diffuse reflection
     raster::Channel3 specular;       ///< and by specular reflection
+    raster::Channel error;           ///< of a sum over samples: its standard error, luminance (environment.reference)
     TapScratch scratch;
 };
 

@@ -25,7 +25,10 @@ struct EnvironmentSetup {
 ///   Gelemanovic 2018, 3 Lambert and the other empirical models   m_D E / pi: diffuse light only, their highlights are
 ///   made for lamps
 /// E is the irradiance on n, P the prefiltered radiance from r = 2 (n.v) n - v. With reference_samples the two
-/// integrals themselves: facets seen by v (GGX) for the highlight, directions by their cosine for the rest.
+/// integrals themselves, by directions chosen in three ways, N each: facets that v sees (GGX) for the highlight, the
+/// cosine for the rest, and the environment's own light for both, weighed by the balance heuristic (Veach & Guibas
+/// 1995). channels.environment.error is what their scatter says about the sum: Hammersley's points are more even than
+/// random ones, so that the true error is mostly less. Requires maps->light.
 void add_environment(const raster::Fragments& fragments, const MaterialSetup& material, const EnvironmentSetup& setup,
                      LightingChannels& channels);
 

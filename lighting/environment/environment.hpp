@@ -7,6 +7,7 @@
 #include "lighting/environment/brdf_map.hpp"
 #include "lighting/environment/cube_map.hpp"
 #include "lighting/environment/irradiance.hpp"
+#include "lighting/environment/light_table.hpp"
 #include "lighting/environment/prefilter.hpp"
 #include "lighting/material.hpp"
 
@@ -39,6 +40,7 @@ struct EnvironmentNeeds {
 /// The maps. Empty: nothing asked for them.
 struct EnvironmentMaps {
     CubeMap prefiltered;     ///< level 0 is the environment itself
+    LightTable light;        ///< of level 0; only for environment.reference
     CubeMap irradiance;      ///< E, one level
     std::optional<Sh9> sh9;  ///< E as a polynomial, instead of the map
     std::vector<BrdfMap> brdf;

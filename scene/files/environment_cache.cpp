@@ -218,6 +218,7 @@ PreparedEnvironment cached_environment(const EnvironmentSettings& settings, cons
     prepared.needs = needs;
     add_maps(missing, std::move(prepared.maps), found);
     prepared.maps = std::move(found);
+    add_light_table(settings, prepared.maps);
     if (report.baked == 0) return prepared;
     try {
         cache.keep(missing, prepared.maps);

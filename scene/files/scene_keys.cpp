@@ -246,7 +246,7 @@ std::vector<KeyInfo> make_keys() {
          "reference",
          whole,
          "0",
-         "0: the split sum; else samples a point of the integral itself",
+         "0: the split sum; else samples a point of the integral itself, in each of three ways",
          {0, 65536},
          {},
          ""},

@@ -71,6 +71,10 @@ std::vector<PlannedPass> plan_baking(const Scene& scene, const lighting::Environ
     if (needs.mirror && !needs.blurred) {
         passes.back().buffers.push_back({"cube map", lighting::prefilter_cost(size, prefilter).bytes});
     }
+    if (scene.environment.reference > 0 && needs.mirror) {
+        const std::uint64_t texels = std::uint64_t{6} * size * size;
+        passes.back().buffers.push_back({"table of its light", (2 * texels + 6 * size) * sizeof(float)});
+    }
     if (needs.blurred) {
         bake("prefiltered levels",
              "a cook_torrance material reflects the environment, " + std::to_string(scene.environment.samples) +

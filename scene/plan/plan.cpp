@@ -167,7 +167,7 @@ void plan_tiles(const Scene& scene, RenderPlan& plan) {
         plan.passes.push_back(
             {"environment",
              scene.environment.reference > 0
-                 ? std::to_string(scene.environment.reference) + " samples of the integral " + where_lit(plan.frequency)
+                 ? std::to_string(scene.environment.reference) + " samples of the integral in each of three ways " + where_lit(plan.frequency)
                  : std::string("the split sum ") + where_lit(plan.frequency),
              {}});
     }

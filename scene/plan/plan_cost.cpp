@@ -108,9 +108,9 @@ double environment_operations(const Scene& scene, const RenderPlan& plan) {
     constexpr double kCubeTap = 35.0, kFourTexels = 28.0, kTurn = 6.0, kDiffuse = 15.0;
     constexpr double kIrradiance = kTurn + kCubeTap + kFourTexels + kDiffuse;
     constexpr double kSpecular = kTurn + 2.0 * (kCubeTap + kFourTexels) + 22.0 + kFourTexels + 45.0;
-    constexpr double kSample = 160.0;  // a direction, a look-up, D, G, F and the sum
+    constexpr double kSample = 200.0;  // a direction, a look-up, D, G, F, two densities and the sums
     const int reference = scene.environment.reference;
-    if (reference > 0) return static_cast<double>(reference) * 2.0 * kSample;
+    if (reference > 0) return static_cast<double>(reference) * 3.0 * kSample;
     return kIrradiance + (plan.environment.blurred ? kSpecular : 0.0);
 }
 

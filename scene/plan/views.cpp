@@ -57,6 +57,10 @@ bool in_split_sum(const RenderPlan& plan, std::uint32_t material) {
     return in_environment(plan, material) && plan.environment.irradiance;
 }
 
+bool in_sum_of_samples(const RenderPlan& plan, std::uint32_t material) {
+    return in_environment(plan, material) && !plan.environment.irradiance;
+}
+
 bool mirrors_environment(const RenderPlan& plan, std::uint32_t material) {
     return is_microfacet(plan, material) && plan.environment.blurred;
 }
@@ -98,6 +102,8 @@ constexpr const char* kGrain =
 constexpr const char* kEnvironment = "shading.frequency = \"phong\", a material that is not unlit and an [environment]";
 constexpr const char* kSplitSum =
     "shading.frequency = \"phong\", a material that is not unlit and an [environment] with reference = 0";
+constexpr const char* kSamples =
+    "shading.frequency = \"phong\", a material that is not unlit and an [environment] with reference above 0";
 constexpr const char* kMirror =
     "shading.frequency = \"phong\", a material with model = \"cook_torrance\" and an [environment] with reference = 0";
 constexpr const char* kShadows =
@@ -192,6 +198,10 @@ std::vector<View> make_views() {
          in_environment, [](const Batch& b, int i, int c) { return b.lighting.environment.diffuse.at(i)[c]; }},
         {"environment_specular", "specular reflection of the environment", kEnvironment, 3, radiance, kNothing,
          in_environment, [](const Batch& b, int i, int c) { return b.lighting.environment.specular.at(i)[c]; }},
+        {"environment_error",
+         "standard error of the samples' sum, luminance (of a white surface where the material has no highlight)",
+         kSamples, 1, range, kNothing, in_sum_of_samples,
+         [](const Batch& b, int i, int) { return b.lighting.environment.error.at(i); }},
         {"ambient", "s_A m_A + m_E and the environment: what is there without any light", kLit, 3, radiance, kNothing,
          lit_at_pixels, [](const Batch& b, int i, int c) { return b.lighting.ambient.at(i)[c]; }},
         {"diffuse", "diffuse reflection of all lights", kLit, 3, radiance, kNothing, lit_at_pixels,

@@ -20,7 +20,9 @@ void explain_irradiance(const LitPoint& point, const LightingChannels& c, Sectio
     const glm::vec3 E = c.environment.irradiance.at(0);
     if (setup.reference_samples > 0) {
         const std::string N = std::to_string(setup.reference_samples);
-        section.equation("E", "π / N Σ L(l_k)", "", E, "N = " + N + " directions, as dense as their cosine to n");
+        section.equation("E", "1 / N Σ L(l_k) (n·l_k) / (p_cos + p_light)", "", E,
+                         "N = " + N + " directions by their cosine to n and " + N + " by the environment's light");
+        section.equation("error", "", "", c.environment.error.at(0), "standard error of E / π, luminance");
         return;
     }
     section.equation("E", "intensity E(n)", "", E,
@@ -90,10 +92,11 @@ void explain_split_sum(const lighting::CookTorranceSetup& setup, const LightingC
 /// The integral itself: no maps to read, sums over samples.
 void explain_samples(const LitPoint& point, const LightingChannels& c, Section& section) {
     const std::string N = std::to_string(point.frame.lighting.environment.reference_samples);
-    section.equation("env_D", "ao / N Σ k_d c L(l_k)", "", c.environment.diffuse.at(0),
-                     "N = " + N + " directions, as dense as their cosine to n");
-    section.equation("env_S", "ao / N Σ F L(l_k) G_2 / G_1", "", c.environment.specular.at(0),
-                     "l_k: v mirrored in " + N + " facets that v sees");
+    section.equation("env_D", "ao / N Σ k_d c / π L(l_k) (n·l_k) / (p_cos + p_light)", "", c.environment.diffuse.at(0),
+                     "N = " + N + " directions by their cosine to n and " + N + " by the environment's light");
+    section.equation("env_S", "ao / N Σ D V F L(l_k) (n·l_k) / (p_facet + p_light)", "", c.environment.specular.at(0),
+                     "l_k: v mirrored in " + N + " facets that v sees, and " + N + " by the environment's light");
+    section.equation("error", "", "", c.environment.error.at(0), "standard error of env_D + env_S, luminance");
 }
 
 }  // namespace
