@@ -9,6 +9,8 @@
 #include <glm/geometric.hpp>
 #include <nlohmann/json.hpp>
 
+#include "scene/files/scene_keys.hpp"
+
 namespace kreda::tools {
 
 namespace {
@@ -54,6 +56,8 @@ Ball ball_around(const raster::Mesh& mesh, const std::string& path) {
     }
     Ball ball{0.5 * (least + greatest), 0.5 * glm::length(greatest - least), ""};
     if (ball.radius == 0.0) throw scene::UserError(scene::Place{path}, "all its corners are one point: nothing to see");
+    if (mesh.unit < 1.0 / scene::kFarthest)
+        throw scene::UserError(scene::Place{path}, "is less than 1e-25 wide; make it larger in a modelling program");
     const glm::dvec3 origin = mesh.origin / mesh.unit;
     if (mesh.unit != 1.0) ball.placement += "scale = " + number_text(1.0 / mesh.unit) + "\n";
     if (mesh.unit != 1.0 || glm::length(origin) > 1e9) {

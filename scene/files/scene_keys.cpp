@@ -462,7 +462,7 @@ std::vector<KeyInfo> make_keys() {
         {"object", "material", text, "", "without it, the OBJ's own MTL materials", kAny, {}, "\"gold\""},
         {"object", "translate", vector, "[0, 0, 0]", "moved last", kPlace, {}, ""},
         {"object", "rotate", vector, "[0, 0, 0]", "degrees about x, then y, then z", kAny, {}, "[0, 45, 0]"},
-        {"object", "scale", number_or_vector, "[1, 1, 1]", "scaled first; not 0", kAny, {}, ""},
+        {"object", "scale", number_or_vector, "[1, 1, 1]", "scaled first; not 0", kPlace, {}, ""},
         {"object", "hide", texts, "[]", "parts (OBJ groups or objects) that are not drawn", kAny, {}, "[\"lid\"]"},
         {"object", "casts_shadow", boolean, "true", "whether it throws shadows; it receives them anyway", kAny, {}, ""},
     };

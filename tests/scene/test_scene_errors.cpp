@@ -88,7 +88,7 @@ TEST_CASE("NaN and infinity are refused everywhere") {
     CHECK(complaint("[[light]]\ncolor = [1, 1, nan]\n") ==
           "s.toml:2:16: 'color' in [[light]] is nan in the third place; expected a finite number");
     CHECK(complaint("[camera]\nposition = [1e300, 0, 0]\n") ==
-          "s.toml:2:13: 'position' in [camera] is 1e+300 in the first place; numbers beyond 1e9 are refused");
+          "s.toml:2:13: 'position' in [camera] is 1e+300 in the first place; numbers beyond 1e25 are refused");
 }
 
 TEST_CASE("Values out of range are refused at their place") {

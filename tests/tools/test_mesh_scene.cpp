@@ -1,4 +1,6 @@
 // The scene that `kreda render MESH.obj` makes around a mesh.
+#include <cstdio>
+
 #include <doctest/doctest.h>
 
 #include <glm/geometric.hpp>
@@ -22,13 +24,15 @@ TEST_CASE("A mesh file is known by its ending whatever the case") {
 }
 
 TEST_CASE("The camera around a mesh sees all of it between its near and far plane at any size of the mesh") {
-    for (const double size : {1e-3, 1.0, 40.0, 1e5}) {
+    for (const double size : {1e-20, 1e-8, 1e-3, 1.0, 40.0, 1e5, 1e30}) {
         CAPTURE(size);
         const TempFolder folder;
         std::string obj;
         for (int i = 0; i < 8; ++i) {  // the corners of a box far from the origin
             const auto coordinate = [&](int bit) {
-                return std::to_string(size * (3.0 + ((i >> bit & 1) ? 1.0 : 0.0)));
+                char number[40];
+                std::snprintf(number, sizeof number, "%.17g", size * (3.0 + ((i >> bit & 1) ? 1.0 : 0.0)));
+                return std::string(number);
             };
             obj += "v " + coordinate(0) + " " + coordinate(1) + " " + coordinate(2) + "\n";
         }
@@ -37,7 +41,7 @@ TEST_CASE("The camera around a mesh sees all of it between its near and far plan
             scene::read_scene_text(tools::scene_around_mesh(folder.file("box.obj"), {}), "around", "");
         const glm::mat4 clip_from_world = raster::clip_from_world(scene.camera, 640.0f / 360.0f);
         for (const glm::vec3& corner : scene.objects.at(0).mesh->positions) {
-            const glm::vec4 clip = clip_from_world * glm::vec4(corner, 1.0f);
+            const glm::vec4 clip = clip_from_world * scene.objects[0].world_from_object * glm::vec4(corner, 1.0f);
             CHECK(std::abs(clip.x) < clip.w);
             CHECK(std::abs(clip.y) < clip.w);
             CHECK(std::abs(clip.z) < clip.w);
