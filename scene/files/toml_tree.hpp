@@ -35,7 +35,8 @@ struct Value {
 /// Where the value of a key is written; where its table is, when the key is absent.
 [[nodiscard]] const Place& place_of(const Value& table, std::string_view key);
 
-/// Text for a message: control characters become '?', long text is cut.
+/// Text for a message: control characters become '?', long text is cut in the middle: the end of a path
+/// is its name.
 [[nodiscard]] std::string on_one_line(std::string_view text);
 
 /// The same between quotes.
