@@ -386,7 +386,8 @@ TEST_CASE("explain: planar fog puts in the numbers of its own formula") {
     // The camera looks along -z from z = 3 or so; the sum of the products is the distance.
     for (const NamedScene& named : scenes_to_explain()) {
         if (named.name != "fog linear planar") continue;
-        const Explanation explanation = tools::explain_pixel(named.scene, {2, 8});
+        const Explanation explanation = tools::explain_pixel(named.scene, {11, 8});
+        REQUIRE(explanation.covered);
         for (const tools::Item& item : find_section(explanation, "fog")->items) {
             const auto* equation = std::get_if<Equation>(&item);
             if (!equation || equation->symbol != "z_p") continue;
@@ -409,4 +410,25 @@ TEST_CASE("explain: with several samples a pixel window coordinates are told in 
     const std::string text = as_text(tools::explain_pixel(scene, {32, 32}).derivation);
     CHECK(text.find("window, in pixels   (16, ") != std::string::npos);
     CHECK(text.find("window, in samples  (32, ") != std::string::npos);
+}
+
+TEST_CASE("explain: the distance to what blocks is that of the ray's hit and methods without one do not show it") {
+    // The square at z = 0.5 is 1.5 before the wall; the ray to the light climbs by 0.8: 1.5 / 0.8 = 1.875 along it.
+    const auto scene_with = [](const char* method) {
+        return square_scene(
+            "[[light]]\nshadow = true\ndirection = [-0.6, 0, -0.8]\n[shadow]\nmethod = \"" + std::string(method) +
+            "\"\n[[object]]\nmesh = \"plane\"\nrotate = [90, 0, 0]\ntranslate = [0, 0, 0.5]\nscale = 0.5\n"
+            "[[object]]\nmesh = \"plane\"\nrotate = [90, 0, 0]\ntranslate = [0, 0, -1]\nscale = 3\n");
+    };
+    scene::Scene scene = scene_with("exact");
+    scene.objects.pop_back();  // that of square_scene()
+    const scene::RenderPlan plan = make_plan(scene, {scene::find_view("blocker_distance")});
+    scene::RenderBuffers buffers;
+    render(scene, plan, buffers);
+    CHECK(buffers.views[0].at(0, 14, 32) == doctest::Approx(1.875).epsilon(1e-6));
+    CHECK(buffers.views[0].at(0, 60, 32) == 0.0f);  // lit
+    const tools::Section section = *find_section(tools::explain_pixel(scene, {14, 32}), "light_0");
+    CHECK(value_of(section, "distance").at(0) == doctest::Approx(1.875).epsilon(1e-6));
+    const scene::Scene other = scene_with("volume");
+    CHECK_FALSE(can_show(make_plan(other), other, *scene::find_view("blocker_distance")));
 }

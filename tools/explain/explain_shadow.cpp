@@ -204,7 +204,7 @@ void explain_image(const LitPoint& point, const PlannedShadow& planned, const Oc
     const double along = hit_parameter(ray, t);
     const glm::dvec3 q = ray.origin + along * ray.direction;
     const glm::dvec4 image = M * glm::dvec4(q, 1.0);
-    section.equation("q", "p + t D", "t D with t " + number_text(along), glm::vec3(q),
+    section.equation("q", "p + t D", vector_text(p) + " + " + factor_text(along) + "·D", glm::vec3(q),
                      "where the ray from the point to the light meets that triangle's plane");
     section.equation("image", "M (q, 1) / w", "M " + vector_text(glm::vec3(q)), glm::vec3(glm::dvec3(image) / image.w),
                      "M = (P·L) I - L Pᵀ: it falls on the point");

@@ -7,8 +7,8 @@
 
 namespace kreda::tools {
 
-/// Append what the planned shadow's method does at the point; its last equation is "shadow", as the passes have it.
-/// `lit`: the channel's value, for methods that only look up what was found for all samples before.
+/// Append what the planned shadow's method does at the point; its last equation is "shadow", found by the functions of
+/// the render and equal to its channel.
 void explain_shadow(const LitPoint& point, const scene::PlannedShadow& planned, Section& section);
 
 /// method = "map": the place in the light's picture, the bias, each tap of the filter, blockers and penumbra.

@@ -83,10 +83,13 @@ void explain_bias(const ShadowMap& map, const MapSteps& steps, const PointInView
     const PictureScale scale = picture_scale(view, map.size());
     const BiasTerms terms = bias_terms(map.plan.settings, view.far - view.near);
     explain_offset(steps, in_view, section);
-    section.equation("texel", "(q_x, -q_y) / texel's side + size/2", "",
-                     std::vector<double>{points.u.at(0), points.v.at(0)},
-                     "column and row are the whole parts; the map is " + std::to_string(map.size()) + " a side");
     section.equation("d", "-q_z", "", steps.distance, "distance along the light's axis");
+    const glm::vec2 moved(steps.moved.x, -steps.moved.y);
+    const std::string d = view.perspective ? number_text(steps.distance) + " " : "";
+    section.equation("texel", view.perspective ? "(q_x, -q_y) / (d side) + size/2" : "(q_x, -q_y) / side + size/2",
+                     vector_text(moved) + " / (" + d + vector_text(scale.texel) + ") + " + number_text(scale.half_side),
+                     std::vector<double>{points.u.at(0), points.v.at(0)},
+                     "side: a texel's width and height; column and row are the whole parts");
     const std::string constant = number_text(map.plan.settings.constant_bias);
     switch (map.plan.settings.bias) {
         case ShadowBias::none: section.equation("bias", "", "", 0.0f, "shadow.bias = \"none\""); break;
