@@ -10,7 +10,7 @@ std::string with_place(const Place& place, const std::string& message) {
     std::string line = place.file;
     if (place.line > 0) line += ":" + std::to_string(place.line);
     if (place.line > 0 && place.column > 0) line += ":" + std::to_string(place.column);
-    return line + ": " + message;
+    return line.empty() ? message : line + ": " + message;
 }
 
 /// Levenshtein's edit distance, one row at a time.

@@ -81,4 +81,13 @@ struct Scene {
     std::vector<std::string> warnings;  ///< what was wrong but not fatal while loading, a line each
 };
 
+/// Where the light stands in Scene::lights that is number k among those that are on; the number of a file's light.0.
+[[nodiscard]] inline int index_of_light(const Scene& scene, int k) {
+    int index = 0;
+    for (; k > 0 || !scene.lights[static_cast<std::size_t>(index)].on; ++index) {
+        if (scene.lights[static_cast<std::size_t>(index)].on) --k;
+    }
+    return index;
+}
+
 }  // namespace kreda::scene

@@ -141,6 +141,27 @@ inline bool meets_box(const BoxRay& ray, const BvhNode& node, double end) {
     return enter <= leave;
 }
 
+/// Ask about every triangle whose box the ray meets, until one answers true. Returns whether one did.
+template <class Ask>
+inline bool meet_triangles(const Bvh& bvh, const LightRay& ray, Ask ask) {
+    if (bvh.nodes.empty()) return false;
+    const BoxRay box = box_ray(ray);
+    std::uint32_t stack[kMaxDepth + 1];
+    int waiting = 0;
+    stack[waiting++] = 0;
+    while (waiting > 0) {
+        const BvhNode& node = bvh.nodes[stack[--waiting]];
+        if (!meets_box(box, node, ray.end)) continue;
+        for (std::uint32_t i = 0; i < node.count; ++i) {
+            if (ask(bvh.triangles[node.first + i])) return true;
+        }
+        if (node.count > 0) continue;
+        stack[waiting++] = node.first;
+        stack[waiting++] = node.first + 1;
+    }
+    return false;
+}
+
 }  // namespace
 
 std::vector<Triangle> gather_triangles(std::span<const Occluder> occluders) {
@@ -188,23 +209,18 @@ Bvh build_bvh(std::vector<Triangle> triangles) {
 }
 
 bool any_shadow(const Bvh& bvh, const glm::dvec4& light, const glm::vec3& p) {
-    if (bvh.nodes.empty()) return false;
     const LightRay ray = light_ray(light, p);
-    const BoxRay box = box_ray(ray);
-    std::uint32_t stack[kMaxDepth + 1];
-    int waiting = 0;
-    stack[waiting++] = 0;
-    while (waiting > 0) {
-        const BvhNode& node = bvh.nodes[stack[--waiting]];
-        if (!meets_box(box, node, ray.end)) continue;
-        for (std::uint32_t i = 0; i < node.count; ++i) {
-            if (shadows_point(ray, bvh.triangles[node.first + i], light, p)) return true;
-        }
-        if (node.count > 0) continue;
-        stack[waiting++] = node.first;
-        stack[waiting++] = node.first + 1;
-    }
-    return false;
+    return meet_triangles(bvh, ray, [&](const Triangle& t) { return shadows_point(ray, t, light, p); });
+}
+
+double distance_to_last_blocker(const Bvh& bvh, const glm::dvec4& light, const glm::vec3& p) {
+    const LightRay ray = light_ray(light, p);
+    double last = 0.0;
+    meet_triangles(bvh, ray, [&](const Triangle& t) {
+        if (shadows_point(ray, t, light, p)) last = std::max(last, hit_parameter(ray, t));
+        return false;
+    });
+    return last * glm::length(ray.direction);
 }
 
 bool any_shadow(std::span<const Triangle> triangles, const glm::dvec4& light, const glm::vec3& p) {

@@ -34,6 +34,10 @@ struct Bvh {
 /// Is p shadowed by any triangle of the tree? Same answer as asking every triangle.
 [[nodiscard]] bool any_shadow(const Bvh& bvh, const glm::dvec4& light, const glm::vec3& p);
 
+/// From p to the place where the ray leaves the last triangle that shadows it, the one nearest to the light, world
+/// units; 0: nothing shadows it. It is the one that a shadow map sees.
+[[nodiscard]] double distance_to_last_blocker(const Bvh& bvh, const glm::dvec4& light, const glm::vec3& p);
+
 /// The oracle of the tree: every triangle, one after another.
 [[nodiscard]] bool any_shadow(std::span<const Triangle> triangles, const glm::dvec4& light, const glm::vec3& p);
 

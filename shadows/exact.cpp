@@ -13,6 +13,14 @@ void shadow_factors(const ExactShadow& exact, const raster::Channel3& position, 
     for (int i = count; i < raster::lanes_for(count); ++i) shadow.set(i, 1.0f);
 }
 
+void shadow_blockers(const ExactShadow& exact, const raster::Channel3& position, int count,
+                     raster::Channel& blocker_distance) {
+    for (int i = 0; i < count; ++i) {
+        const double distance = distance_to_last_blocker(exact.bvh, exact.light, position.at(i));
+        blocker_distance.set(i, static_cast<float>(distance));
+    }
+}
+
 void exact_shadow(const ExactShadow& exact, const VisibleSamples& samples, std::span<float> shadow) {
     const int width = samples.viewport.width, height = samples.viewport.height;
 #pragma omp parallel for schedule(dynamic)

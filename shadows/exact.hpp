@@ -19,7 +19,12 @@ struct ExactShadow {
 /// space.
 void shadow_factors(const ExactShadow& exact, const raster::Channel3& position, int count, raster::Channel& shadow);
 
-/// The same for all visible samples of a frame; threads share it row by row.
+/// For pictures: along the ray, how far before each of the first `count` points the light is stopped, world units; 0
+/// where nothing blocks.
+void shadow_blockers(const ExactShadow& exact, const raster::Channel3& position, int count,
+                     raster::Channel& blocker_distance);
+
+/// The factor of all visible samples of a frame; threads share it row by row.
 void exact_shadow(const ExactShadow& exact, const VisibleSamples& samples, std::span<float> shadow);
 
 }  // namespace kreda::shadows

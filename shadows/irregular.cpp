@@ -99,10 +99,8 @@ void draw_into_grid(const LightGrid& grid, std::span<const LightTriangle> triang
 }  // namespace
 
 LightTriangle set_up(const LightGrid& grid, const Triangle& world) {
-    LightTriangle triangle;
-    triangle.world = world;
     const glm::dvec3 q[3] = {project(grid.view, world.a), project(grid.view, world.b), project(grid.view, world.c)};
-    for (int i = 0; i < 3; ++i) triangle.edge[i] = glm::cross(q[i], q[(i + 1) % 3]);
+    LightTriangle triangle = with_edges(world, q);
     const Polygon polygon = clip_to_grid(grid, q);
     if (polygon.count < 3) return triangle;
     place_corners(grid, polygon, triangle);

@@ -16,6 +16,14 @@ struct LightTriangle {
     int first_row = 0, last_row = -1;  ///< that it may touch
 };
 
+/// The edges of a triangle whose corners are q in a view; all else of it is not set.
+inline LightTriangle with_edges(const Triangle& world, const glm::dvec3 (&q)[3]) {
+    LightTriangle triangle;
+    triangle.world = world;
+    for (int i = 0; i < 3; ++i) triangle.edge[i] = glm::cross(q[i], q[(i + 1) % 3]);
+    return triangle;
+}
+
 [[nodiscard]] LightTriangle set_up(const LightGrid& grid, const Triangle& world);
 
 /// The cells of a row that the triangle may touch, at least those it does touch.     Empty where first > last.

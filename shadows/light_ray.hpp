@@ -109,6 +109,13 @@ inline bool cuts(const LightRay& ray, const Triangle& t) {
     return any_negative != any_positive;  // neither: no area, or seen edge on
 }
 
+/// Where the line meets the triangle's plane, in lengths of D from its start:  t = n.(a - o) / n.D
+inline double hit_parameter(const LightRay& ray, const Triangle& t) {
+    const glm::dvec3 a(t.a);
+    const glm::dvec3 normal = glm::cross(glm::dvec3(t.b) - a, glm::dvec3(t.c) - a);
+    return glm::dot(normal, a - ray.origin) / glm::dot(normal, ray.direction);
+}
+
 /// Does the triangle stand between the point that the ray starts from and the light?
 inline bool shadows_point(const LightRay& ray, const Triangle& t, const glm::dvec4& light, const glm::vec3& p) {
     return cuts(ray, t) && separates(t, light, p);

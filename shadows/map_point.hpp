@@ -122,37 +122,63 @@ inline float slope_factor(const BiasTerms& bias, float cosine) {
     return cosine < 0.0f ? 0.0f : bias.slope;
 }
 
-/// q: the point, n_view: the unit normal of its surface, both in the axes of a directional light.
-inline MapPoint map_point_parallel(const glm::vec3& q, const glm::vec3& n_view, const PictureScale& scale,
-                                   const BiasTerms& bias) {
-    const glm::vec3 moved = q + n_view * (offset_factor(bias, n_view.z) * least_normal_offset(n_view, scale.texel));
-    const DepthSlope slope = slope_parallel(n_view, scale.texel);
+/// The way from a point to its MapPoint, step by step; the loop over a batch keeps the last one only.
+struct MapSteps {
+    float cosine = 0.0f;       ///< > 0: the surface faces the light; directional light: of the angle between them
+    float offset = 0.0f;       ///< along the normal, world units
+    glm::vec3 moved{0.0f};     ///< the point after that, in the light's axes
+    float distance = 0.0f;     ///< of the moved point along the light's axis, before the bias
+    DepthSlope slope;          ///< of the surface there
+    float slope_share = 0.0f;  ///< how many times least_bias() is taken off
     MapPoint point;
-    point.u = moved.x * scale.texels_per_unit.x + scale.half_side;
-    point.v = scale.half_side - moved.y * scale.texels_per_unit.y;
-    point.distance = -moved.z - bias.constant - slope_factor(bias, n_view.z) * least_bias(slope);
-    point.slope = {slope.u * bias.follow_plane, slope.v * bias.follow_plane};
-    return point;
+};
+
+/// q: the point, n_view: the unit normal of its surface, both in the axes of a directional light.
+inline MapSteps map_steps_parallel(const glm::vec3& q, const glm::vec3& n_view, const PictureScale& scale,
+                                   const BiasTerms& bias) {
+    MapSteps s;
+    s.cosine = n_view.z;
+    s.offset = offset_factor(bias, s.cosine) * least_normal_offset(n_view, scale.texel);
+    s.moved = q + n_view * s.offset;
+    s.distance = -s.moved.z;
+    s.slope = slope_parallel(n_view, scale.texel);
+    s.slope_share = slope_factor(bias, s.cosine);
+    s.point.u = s.moved.x * scale.texels_per_unit.x + scale.half_side;
+    s.point.v = scale.half_side - s.moved.y * scale.texels_per_unit.y;
+    s.point.distance = s.distance - bias.constant - s.slope_share * least_bias(s.slope);
+    s.point.slope = {s.slope.u * bias.follow_plane, s.slope.v * bias.follow_plane};
+    return s;
 }
 
 /// The same for a light at the origin of the axes. A point at or behind it comes out somewhere, at distance 0 or less:
 /// lit.
-inline MapPoint map_point_perspective(const glm::vec3& q, const glm::vec3& n_view, const PictureScale& scale,
+inline MapSteps map_steps_perspective(const glm::vec3& q, const glm::vec3& n_view, const PictureScale& scale,
                                       const BiasTerms& bias) {
     constexpr float kTiny = 1e-20f;
     const float before = -q.z > kTiny ? -q.z : kTiny;
-    const float cosine = -glm::dot(n_view, q);  // its sign
-    const glm::vec3 moved =
-        q + n_view * (offset_factor(bias, cosine) * least_normal_offset(n_view, scale.texel * before));
-    const float distance = -moved.z > kTiny ? -moved.z : kTiny;
-    const float inverse = 1.0f / distance;
-    const DepthSlope slope = slope_perspective(n_view, moved, distance, scale.texel);
-    MapPoint point;
-    point.u = moved.x * inverse * scale.texels_per_unit.x + scale.half_side;
-    point.v = scale.half_side - moved.y * inverse * scale.texels_per_unit.y;
-    point.distance = distance - bias.constant - slope_factor(bias, cosine) * least_bias(slope);
-    point.slope = {slope.u * bias.follow_plane, slope.v * bias.follow_plane};
-    return point;
+    MapSteps s;
+    s.cosine = -glm::dot(n_view, q);  // its sign
+    s.offset = offset_factor(bias, s.cosine) * least_normal_offset(n_view, scale.texel * before);
+    s.moved = q + n_view * s.offset;
+    s.distance = -s.moved.z > kTiny ? -s.moved.z : kTiny;
+    const float inverse = 1.0f / s.distance;
+    s.slope = slope_perspective(n_view, s.moved, s.distance, scale.texel);
+    s.slope_share = slope_factor(bias, s.cosine);
+    s.point.u = s.moved.x * inverse * scale.texels_per_unit.x + scale.half_side;
+    s.point.v = scale.half_side - s.moved.y * inverse * scale.texels_per_unit.y;
+    s.point.distance = s.distance - bias.constant - s.slope_share * least_bias(s.slope);
+    s.point.slope = {s.slope.u * bias.follow_plane, s.slope.v * bias.follow_plane};
+    return s;
+}
+
+inline MapPoint map_point_parallel(const glm::vec3& q, const glm::vec3& n_view, const PictureScale& scale,
+                                   const BiasTerms& bias) {
+    return map_steps_parallel(q, n_view, scale, bias).point;
+}
+
+inline MapPoint map_point_perspective(const glm::vec3& q, const glm::vec3& n_view, const PictureScale& scale,
+                                      const BiasTerms& bias) {
+    return map_steps_perspective(q, n_view, scale, bias).point;
 }
 
 /// A direction or position in the axes of the face of a cube that `toward` points through. The faces are those of
@@ -183,6 +209,25 @@ inline glm::vec3 in_face_axes(const CubeFace& f, const glm::vec3& v) {
     const float up = is_y ? v.z : v.y;
     const float forward = is_x ? v.x : (is_y ? v.y : v.z);
     return {f.sign * right, up, -f.sign * forward};
+}
+
+/// A point of a surface and its unit normal in the axes of a picture of the light.
+struct PointInView {
+    glm::vec3 q{0.0f}, n{0.0f};
+    int face = 0;  ///< of a cube
+};
+
+/// axes: view_from_world of the one picture of a light; normal: any length.
+inline PointInView point_in_picture(const glm::mat3& axes, const glm::vec3& origin, const glm::vec3& position,
+                                    const glm::vec3& normal) {
+    return {axes * (position - origin), axes * unit_or_zero(normal), 0};
+}
+
+/// In the one of the six pictures that the point lies in.
+inline PointInView point_in_cube(const glm::vec3& origin, const glm::vec3& position, const glm::vec3& normal) {
+    const glm::vec3 from_light = position - origin;
+    const CubeFace face = cube_face(from_light);
+    return {in_face_axes(face, from_light), in_face_axes(face, unit_or_zero(normal)), face.face};
 }
 
 }  // namespace kreda::shadows

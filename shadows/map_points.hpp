@@ -26,6 +26,12 @@ struct MapPoints {
 void locate(const ShadowMap& map, const raster::Channel3& position, const raster::Channel3& normal, int lanes,
             MapPoints& points);
 
+/// What a tap beside point i compares with the map, (d_u, d_v) texels away: the surface's plane where the bias follows
+/// it.
+inline float distance_beside(const MapPoints& points, int i, float d_u, float d_v) {
+    return points.distance.at(i) + points.slope_u.at(i) * d_u + points.slope_v.at(i) * d_v;
+}
+
 /// How a face's texels lie in memory.
 struct TexelGrid {
     float size = 0.0f;     ///< texels a side

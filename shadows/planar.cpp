@@ -105,21 +105,62 @@ std::vector<glm::dvec4> between_plane_and_light(const glm::dvec4& plane, const g
     return clip(polygon, glm::dvec4(0.0, 0.0, 0.0, light_height) - plane);
 }
 
+PlanarSetup planar_setup(const glm::dvec4& plane, const ShadowLight& light, const VisibleSamples& samples) {
+    PlanarSetup setup;
+    setup.light = homogeneous(light);
+    const double light_height = glm::dot(plane, setup.light);
+    if (light_height == 0.0) return setup;  // the light shines along the plane: nothing arrives, nothing is cast
+    setup.casts = true;
+    setup.toward = light_height > 0.0 ? plane : -plane;
+    setup.clip_from_occluder = glm::dmat4(samples.clip_from_world) * planar_projection(setup.toward, setup.light);
+    return setup;
+}
+
+namespace {
+
+/// Append the image of triangle i of an occluder on the picture's grid.
+void append_image(const PlanarSetup& setup, const Occluder& occluder, std::size_t i, const raster::Viewport& viewport,
+                  std::vector<ScreenTriangle>& triangles) {
+    const auto corner = [&](std::size_t k) { return occluder.positions[occluder.indices[3 * i + k]]; };
+    append_image(between_plane_and_light(setup.toward, setup.light, corner(0), corner(1), corner(2)),
+                 setup.clip_from_occluder, viewport, triangles);
+}
+
+bool covers(const ScreenTriangle& t, int x, int y, const raster::Viewport& viewport) {
+    const raster::SampleBox box = sample_box(t.a, t.b, t.c, viewport.width, viewport.height);
+    if (y < box.y_first || y > box.y_last) return false;
+    const SampleSpan span = covered_in_row(t, y, viewport.width);
+    return x >= span.first && x <= span.last;
+}
+
+}  // namespace
+
+std::optional<PlanarCause> planar_cause(std::span<const Occluder> occluders, const glm::dvec4& plane,
+                                        const ShadowLight& light, const VisibleSamples& samples, int x, int y) {
+    const PlanarSetup setup = planar_setup(plane, light, samples);
+    if (!setup.casts) return std::nullopt;
+    std::vector<ScreenTriangle> triangles;
+    for (std::size_t o = 0; o < occluders.size(); ++o) {
+        for (std::size_t i = 0; i < occluders[o].indices.size() / 3; ++i) {
+            triangles.clear();
+            append_image(setup, occluders[o], i, samples.viewport, triangles);
+            for (const ScreenTriangle& t : triangles) {
+                if (covers(t, x, y, samples.viewport)) return PlanarCause{o, i};
+            }
+        }
+    }
+    return std::nullopt;
+}
+
 void planar_shadow(std::span<const Occluder> occluders, const glm::dvec4& plane, const ShadowLight& light,
                    const VisibleSamples& samples, std::span<float> shadow) {
     std::fill(shadow.begin(), shadow.end(), 1.0f);
-    const glm::dvec4 from = homogeneous(light);
-    const double light_height = glm::dot(plane, from);
-    if (light_height == 0.0) return;  // the light shines along the plane: nothing arrives, nothing is cast
-    const glm::dvec4 toward = light_height > 0.0 ? plane : -plane;
-    const glm::dmat4 clip_from_occluder = glm::dmat4(samples.clip_from_world) * planar_projection(toward, from);
+    const PlanarSetup setup = planar_setup(plane, light, samples);
+    if (!setup.casts) return;
     std::vector<ScreenTriangle> triangles;
     for (const Occluder& occluder : occluders) {
-        for (std::size_t i = 0; i + 2 < occluder.indices.size(); i += 3) {
-            const auto corner = [&](std::size_t k) { return occluder.positions[occluder.indices[i + k]]; };
-            const std::vector<glm::dvec4> polygon =
-                between_plane_and_light(toward, from, corner(0), corner(1), corner(2));
-            append_image(polygon, clip_from_occluder, samples.viewport, triangles);
+        for (std::size_t i = 0; i < occluder.indices.size() / 3; ++i) {
+            append_image(setup, occluder, i, samples.viewport, triangles);
         }
     }
     mark(triangles, samples.viewport, shadow);

@@ -33,6 +33,25 @@ inline glm::dmat4 planar_projection(const glm::dvec4& plane, const glm::dvec4& l
                                                               const glm::vec3& a, const glm::vec3& b,
                                                               const glm::vec3& c);
 
+/// How one light throws images onto one plane of one picture.
+struct PlanarSetup {
+    glm::dvec4 light{0.0};   ///< homogeneous
+    glm::dvec4 toward{0.0};  ///< the plane, its front to the light
+    glm::dmat4 clip_from_occluder{1.0};
+    bool casts = false;  ///< the light does not shine along the plane
+};
+[[nodiscard]] PlanarSetup planar_setup(const glm::dvec4& plane, const ShadowLight& light,
+                                       const VisibleSamples& samples);
+
+/// For explanations: the first triangle whose image covers sample (x, y), as the picture's triangles are asked.
+struct PlanarCause {
+    std::size_t occluder = 0;
+    std::size_t triangle = 0;  ///< of the occluder's indices, three each
+};
+[[nodiscard]] std::optional<PlanarCause> planar_cause(std::span<const Occluder> occluders, const glm::dvec4& plane,
+                                                      const ShadowLight& light, const VisibleSamples& samples, int x,
+                                                      int y);
+
 /// One factor a sample, as if every sample lay on the plane: 1 lit, 0 in shadow. A mask: a sample that many triangles
 /// cover is no darker than one that a single triangle covers. Only samples that see the plane's object are to be read.
 void planar_shadow(std::span<const Occluder> occluders, const glm::dvec4& plane, const ShadowLight& light,

@@ -1,6 +1,7 @@
 // Looking up a shadow map: where the points of a batch lie in it, then one of three filters.
 #include "raster/platform.hpp"
 #include "raster/scalar_math.hpp"
+#include "shadows/filter_taps.hpp"
 #include "shadows/map_points.hpp"
 #include "shadows/soft_filter.hpp"
 
@@ -20,9 +21,10 @@ inline void locate_lanes(const Channel3& position, const Channel3& normal, int l
     const PictureScale scale = picture_scale(light_view, size);
     const BiasTerms bias = terms;
     for (int i = 0; i < lanes; ++i) {
-        const glm::vec3 q = axes * (position.at(i) - origin);
-        const glm::vec3 n = axes * unit_or_zero(normal.at(i));
-        out.set(i, perspective ? map_point_perspective(q, n, scale, bias) : map_point_parallel(q, n, scale, bias), 0);
+        const PointInView p = point_in_picture(axes, origin, position.at(i), normal.at(i));
+        out.set(i,
+                perspective ? map_point_perspective(p.q, p.n, scale, bias) : map_point_parallel(p.q, p.n, scale, bias),
+                0);
     }
 }
 
@@ -44,11 +46,8 @@ KREDA_BATCH_LOOP void locate_in_cube(const Channel3& position, const Channel3& n
     const BiasTerms bias = terms;
     const int face_stride = stride_of_face;
     for (int i = 0; i < lanes; ++i) {
-        const glm::vec3 from_light = position.at(i) - origin;
-        const CubeFace face = cube_face(from_light);
-        const glm::vec3 q = in_face_axes(face, from_light);
-        const glm::vec3 n = in_face_axes(face, unit_or_zero(normal.at(i)));
-        out.set(i, map_point_perspective(q, n, scale, bias), face.face * face_stride);
+        const PointInView p = point_in_cube(origin, position.at(i), normal.at(i));
+        out.set(i, map_point_perspective(p.q, p.n, scale, bias), p.face * face_stride);
     }
 }
 
@@ -76,7 +75,7 @@ KREDA_BATCH_LOOP void find_texels(const MapPoints& points, int lanes, const Texe
 KREDA_BATCH_LOOP void add_tap(const MapPoints& points, const Texels& texels, int lanes, const float* __restrict tap,
                               float d_u, float d_v, float* __restrict lit) {
     for (int i = 0; i < lanes; ++i) {
-        const float distance = points.distance.at(i) + points.slope_u.at(i) * d_u + points.slope_v.at(i) * d_v;
+        const float distance = distance_beside(points, i, d_u, d_v);
         lit[i] += distance <= tap[texels.place[i]] ? 1.0f : 0.0f;
     }
 }
@@ -117,6 +116,29 @@ void locate(const ShadowMap& map, const Channel3& position, const Channel3& n, i
     const BiasTerms bias = bias_terms(map.plan.settings, view.far - view.near);
     if (map.plan.views.size() == 1) return locate_in_picture(position, n, lanes, view, map.size(), bias, points);
     locate_in_cube(position, n, lanes, view, map.size(), map.face_stride(), bias, points);
+}
+
+std::vector<FilterTap> box_taps(const ShadowMap& map, const MapPoints& points, int radius) {
+    const TexelGrid grid = texel_grid(map);
+    Texels texels;
+    find_texels(points, lanes_for(1), grid, texels);
+    const int place = texels.place[0];
+    const int in_face = place - points.face_begin[0] - grid.before_first;
+    std::vector<FilterTap> taps;
+    for (int v = -radius; v <= radius; ++v) {
+        for (int u = -radius; u <= radius; ++u) {
+            const int beside = v * map.stride() + u;
+            const float d_u = static_cast<float>(u), d_v = static_cast<float>(v);
+            Channel lit;
+            fill(lanes_for(1), 0.0f, lit);
+            add_tap(points, texels, lanes_for(1), map.distance.data() + beside, d_u, d_v, lit.value);
+            taps.push_back({static_cast<float>(in_face % grid.stride - 1 + u) + 0.5f,
+                            static_cast<float>(in_face / grid.stride - 1 + v) + 0.5f,
+                            map.distance[static_cast<std::size_t>(place + beside)],
+                            distance_beside(points, 0, d_u, d_v), lit.at(0), 1.0f});
+        }
+    }
+    return taps;
 }
 
 void shadow_factors(const ShadowMap& map, const raster::Channel3& position, const raster::Channel3& normal, int count,

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "raster/platform.hpp"
+#include "shadows/filter_taps.hpp"
 
 namespace kreda::shadows {
 
@@ -67,7 +68,8 @@ KREDA_BATCH_LOOP void search_windows(const MapPoints& points, int lanes, const S
     }
 }
 
-/// One cell of a window around point i: its left edge and centre on the map's axis, from the centre's offset.
+/// One cell of a window around a point at `at`: its left edge on the map's axis, from the number of cells to the
+/// point's own.
 inline float cell_begin(float at, float cell, float offset) {
     return (std::floor(at / cell) + offset) * cell;
 }
@@ -85,7 +87,7 @@ inline void search_lanes(const MapPoints& points, int lanes, const float* __rest
         const float d_u = u - points.u.at(i);
         const float d_v = v - points.v.at(i);
         const float blocker = distances[points.face_begin[i] + place_of_texel(u, v, s.grid)];
-        const float here = points.distance.at(i) + points.slope_u.at(i) * d_u + points.slope_v.at(i) * d_v;
+        const float here = distance_beside(points, i, d_u, d_v);
         const float half = half_cone(s.light_half_width, points.distance.at(i), blocker, perspective);
         const bool in_cone_u = std::abs(d_u) <= half * s.scale.texels_per_unit.x + 0.5f * w.cell_u.at(i);
         const bool in_cone_v = std::abs(d_v) <= half * s.scale.texels_per_unit.y + 0.5f * w.cell_v.at(i);
@@ -155,8 +157,7 @@ KREDA_BATCH_LOOP void filter_cell(const MapPoints& points, int lanes, const floa
                              overlap(begin_v, w.cell_v.at(i), points.v.at(i), w.half_v.at(i));
         const float u = begin_u + 0.5f * w.cell_u.at(i);
         const float v = begin_v + 0.5f * w.cell_v.at(i);
-        const float here = points.distance.at(i) + points.slope_u.at(i) * (u - points.u.at(i)) +
-                           points.slope_v.at(i) * (v - points.v.at(i));
+        const float here = distance_beside(points, i, u - points.u.at(i), v - points.v.at(i));
         const float caster = distances[points.face_begin[i] + place_of_texel(u, v, s.grid)];
         lit[i] += here <= caster ? weight : 0.0f;
         area[i] += weight;
@@ -216,6 +217,68 @@ void filter_penumbra(const ShadowMap& map, const MapPoints& points, int lanes, c
         }
     }
     share_of_area(lanes, soft, lit, area, shadow);
+}
+
+namespace {
+
+/// Cell (column, row) of a window around point 0: where it lies, what the map holds, what it is compared with.
+FilterTap cell_of_first(const ShadowMap& map, const MapPoints& points, const Windows& w, float column, float row) {
+    FilterTap tap;
+    tap.u = cell_begin(points.u.at(0), w.cell_u.at(0), column) + 0.5f * w.cell_u.at(0);
+    tap.v = cell_begin(points.v.at(0), w.cell_v.at(0), row) + 0.5f * w.cell_v.at(0);
+    const int place = points.face_begin[0] + place_of_texel(tap.u, tap.v, texel_grid(map));
+    tap.stored = map.distance[static_cast<std::size_t>(place)];
+    tap.compared = distance_beside(points, 0, tap.u - points.u.at(0), tap.v - points.v.at(0));
+    return tap;
+}
+
+/// Cells on each side of point 0's own that its window reaches.
+int cells_of_first(const Windows& w, float limit) {
+    const float u = w.half_u.at(0) / w.cell_u.at(0), v = w.half_v.at(0) / w.cell_v.at(0);
+    return static_cast<int>(std::ceil(std::min(std::max(u, v), limit)));
+}
+
+}  // namespace
+
+SoftTaps soft_taps(const ShadowMap& map, const MapPoints& points) {
+    const int lanes = raster::lanes_for(1);
+    const SoftSetup setup = soft_setup(map);
+    Windows w;
+    Channel a, b;
+    SoftTaps taps;
+    search_windows(points, lanes, setup, w);
+    taps.search_half_u = w.half_u.at(0);
+    taps.search_half_v = w.half_v.at(0);
+    const auto each_cell = [&](float limit, auto&& visit) {
+        const int cells = cells_of_first(w, limit);
+        for (int row = -cells; row <= cells; ++row) {
+            for (int column = -cells; column <= cells; ++column) {
+                start_sums(lanes, a, b);
+                visit(static_cast<float>(column), static_cast<float>(row));
+            }
+        }
+    };
+    each_cell(kSearchCells, [&](float column, float row) {
+        FilterTap tap = cell_of_first(map, points, w, column, row);
+        search_cell(points, lanes, map.distance.data(), setup, w, column, row, a.value, b.value);
+        tap.lit = b.at(0);
+        taps.search.push_back(tap);
+    });
+    SoftShadow soft;
+    find_blockers(map, points, lanes, soft);
+    taps.blocker = soft.blocker.at(0);
+    taps.blocked = soft.blocked.at(0) > 0.0f;
+    filter_windows(points, lanes, soft, setup, w);
+    taps.half_u = w.half_u.at(0);
+    taps.half_v = w.half_v.at(0);
+    each_cell(kFilterCells, [&](float column, float row) {
+        FilterTap tap = cell_of_first(map, points, w, column, row);
+        filter_cell(points, lanes, map.distance.data(), setup, w, column, row, a.value, b.value);
+        tap.lit = a.at(0);
+        tap.weight = b.at(0);
+        if (tap.weight > 0.0f) taps.filter.push_back(tap);
+    });
+    return taps;
 }
 
 void penumbra_widths(const ShadowMap& map, const MapPoints& points, int lanes, const SoftShadow& soft,

@@ -72,6 +72,10 @@ private:
     std::vector<ScreenTriangle> triangles_;
 };
 
+raster::DepthPlane plane_of(const ScreenTriangle& t) {
+    return raster::depth_plane(t.a, t.b, t.c, raster::edge_function(t.a.x, t.a.y, t.b.x, t.b.y, t.c.x, t.c.y));
+}
+
 /// Rows of one face from y_first to y_last: count where it lies behind what is seen.
 KREDA_BATCH_LOOP void count_rows(const VolumeFace& face, const raster::DepthPlane& depth_plane, int y_first, int y_last,
                                  int width, const float* __restrict depth, std::int32_t* __restrict count) {
@@ -85,8 +89,7 @@ KREDA_BATCH_LOOP void count_rows(const VolumeFace& face, const raster::DepthPlan
         std::int32_t* row = count + static_cast<std::size_t>(y) * width;
         for (int x = span.first; x <= span.last; ++x) {
             const float z = raster::depth_at(plane, row_depth, x);
-            const bool is_behind = (z > seen[x]) | ((z == seen[x]) & is_entry);
-            row[x] += is_behind ? change : 0;
+            row[x] += counts_behind(z, seen[x], is_entry) ? change : 0;
         }
     }
 }
@@ -135,19 +138,34 @@ std::vector<std::int32_t> count_volumes(const VolumeFaces& faces, const VisibleS
             const raster::SampleBox box = sample_box(a, b, c, width, height);
             const int y_first = std::max(box.y_first, band_first), y_last = std::min(box.y_last, band_last);
             if (y_first > y_last) continue;
-            const raster::DepthPlane plane =
-                raster::depth_plane(a, b, c, raster::edge_function(a.x, a.y, b.x, b.y, c.x, c.y));
-            count_rows(face, plane, y_first, y_last, width, samples.depth.data(), count.data());
+            count_rows(face, plane_of(face.triangle), y_first, y_last, width, samples.depth.data(), count.data());
         }
     }
     return count;
+}
+
+std::vector<FaceCrossing> faces_over(const VolumeFaces& faces, const VisibleSamples& samples, int x, int y) {
+    const int width = samples.viewport.width, height = samples.viewport.height;
+    const float seen = samples.depth[static_cast<std::size_t>(y) * width + x];
+    std::vector<FaceCrossing> crossings;
+    for (const VolumeFace& face : faces.faces) {
+        const ScreenTriangle& t = face.triangle;
+        const raster::SampleBox box = sample_box(t.a, t.b, t.c, width, height);
+        if (y < box.y_first || y > box.y_last) continue;
+        const SampleSpan span = covered_in_row(t, y, width);
+        if (x < span.first || x > span.last) continue;
+        const raster::DepthPlane plane = plane_of(t);
+        const float z = raster::depth_at(plane, raster::depth_of_row(plane, y), x);
+        crossings.push_back({z, face.is_entry, face.weight, counts_behind(z, seen, face.is_entry)});
+    }
+    return crossings;
 }
 
 std::vector<std::uint32_t> volume_shadow(std::span<const VolumeCaster> casters, const ShadowLight& light,
                                          const VisibleSamples& samples, std::span<float> shadow) {
     const VolumeFaces faces = make_volume_faces(casters, light, samples);
     const std::vector<std::int32_t> count = count_volumes(faces, samples);
-    std::transform(count.begin(), count.end(), shadow.begin(), [](std::int32_t n) { return n > 0 ? 0.0f : 1.0f; });
+    std::transform(count.begin(), count.end(), shadow.begin(), volume_factor);
     return faces.open_casters;
 }
 

@@ -52,6 +52,29 @@ struct VolumeFaces {
 /// entry, and behind an exit, at the same depth. 32 bits: no number of volumes wraps.
 [[nodiscard]] std::vector<std::int32_t> count_volumes(const VolumeFaces& faces, const VisibleSamples& samples);
 
+/// Does a face at depth z count for a sample that is seen at depth `seen`?
+inline bool counts_behind(float z, float seen, bool is_entry) {
+    return (z > seen) | ((z == seen) & is_entry);
+}
+
+/// The factor of a sample that lies in so many volumes.
+inline float volume_factor(std::int32_t count) {
+    return count > 0 ? 0.0f : 1.0f;
+}
+
+/// A face of a volume that lies over one sample.
+struct FaceCrossing {
+    float depth = 0.0f;      ///< window depth
+    bool is_entry = true;    ///< a ray from the camera enters the volume here, else it leaves
+    int weight = 1;          ///< how many volumes it bounds
+    bool is_behind = false;  ///< behind what is seen: it counts
+};
+
+/// For explanations: every face over sample (x, y), in the order of the list. The count is that of the exits behind
+/// less that of the entries behind.
+[[nodiscard]] std::vector<FaceCrossing> faces_over(const VolumeFaces& faces, const VisibleSamples& samples, int x,
+                                                   int y);
+
 /// One factor for every visible sample: 1 where the count is 0, else 0. Returns the casters that are not closed.
 std::vector<std::uint32_t> volume_shadow(std::span<const VolumeCaster> casters, const ShadowLight& light,
                                          const VisibleSamples& samples, std::span<float> shadow);

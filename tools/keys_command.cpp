@@ -16,19 +16,24 @@ namespace {
 
 std::size_t widest_assignment() {
     std::size_t width = 0;
-    for (const scene::KeyInfo& key : scene::scene_keys()) width = std::max(width, example_text(key).size());
+    for (const scene::KeyInfo& key : scene::scene_keys()) width = std::max(width, default_text(key).size());
     return width;
 }
 
 void print_keys() {
     const int width = static_cast<int>(widest_assignment()) + 2;
+    std::cout
+        << "Behind = stands the default: what holds where the key is not written. A key without = has none; then, and "
+           "where the\ndefault shows little, an example follows.\n";
     std::string_view table;
     for (const scene::KeyInfo& key : scene::scene_keys()) {
-        if (key.table != table) std::cout << (table.empty() ? "" : "\n") << scene::table_title(key.table) << "\n";
+        if (key.table != table) std::cout << "\n" << scene::table_title(key.table) << "\n";
         table = key.table;
-        std::cout << "  " << std::left << std::setw(width) << example_text(key) << key.meaning << "\n"
+        std::cout << "  " << std::left << std::setw(width) << default_text(key) << key.meaning << "\n"
                   << "  " << std::setw(width) << ""
-                  << "  " << type_text(key) << "\n";
+                  << "  " << type_text(key);
+        if (!key.example.empty()) std::cout << "; e.g. " << example_text(key);
+        std::cout << "\n";
     }
 }
 

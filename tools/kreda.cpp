@@ -3,6 +3,7 @@
 #include <cstdio>
 #include <iostream>
 #include <new>
+#include <stdexcept>
 #include <string>
 #include <vector>
 
@@ -91,6 +92,8 @@ int main(int argc, char** argv) {
     } catch (const kreda::scene::UserError& error) {
         return complain(error.what(), kUserError);
     } catch (const std::bad_alloc&) {
+        return complain("kreda: not enough memory; ask for a smaller image, fewer samples or less detail", kUserError);
+    } catch (const std::length_error&) {  // a container that asks for more than there can ever be
         return complain("kreda: not enough memory; ask for a smaller image, fewer samples or less detail", kUserError);
     } catch (const std::exception& error) {
         return complain(std::string("kreda: a fault in kreda itself, please report it: ") + error.what(), kOurFault);

@@ -36,9 +36,6 @@ struct RenderOptions {
     CacheOptions cache;
     std::string output;  ///< empty: the scene's name and .png, in the current folder
     std::string view;    ///< a view's name; empty: the picture itself
-    int light = -1;      ///< draw with this light alone; -1: with all that are on
-    std::string size;    ///< "640x360"; empty: what the scene says
-    int samples = 0;     ///< 0: what the scene says
     int threads = 0;     ///< 0: as many as there are cores
     int repeat = 1;
     bool time = false;
@@ -171,18 +168,9 @@ void write_slide(const std::string& path, const RenderOptions& options, const sc
 }
 
 scene::Scene load(const RenderOptions& options) {
-    SceneOptions scene_options = options.scene;
-    std::vector<std::string>& overrides = scene_options.read.overrides;
-    if (!options.size.empty()) overrides.push_back("image.size=" + size_value(options.size));
-    if (options.samples > 0) overrides.push_back("image.samples=" + std::to_string(options.samples));
-    scene::Scene scene = load_scene(scene_options);
+    scene::Scene scene = load_scene(options.scene);
     if (!options.slides.empty()) fit_to_slide(scene.image);
-    if (options.light < 0) return scene;
-    const std::size_t count = scene.lights.size();
-    const auto light = static_cast<std::size_t>(options.light);
-    if (light < count) return with_only_light(scene, light);
-    throw UserError("--light " + std::to_string(options.light) + ": the scene has " + std::to_string(count) +
-                    (count == 1 ? " light" : " lights") + ", numbered from 0");
+    return scene;
 }
 
 void check_view(const scene::RenderPlan& plan, const scene::Scene& scene, const scene::View& view) {
@@ -277,13 +265,7 @@ void add_render_command(CLI::App& app) {
         ->add_option("-o,--output", options->output,
                      "The picture: .png (8-bit sRGB) or .exr (linear float); by default SCENE.png in this folder")
         ->type_name("FILE");
-    command->add_option("--size", options->size, "Width and height in pixels, e.g. 640x360")->type_name("WxH");
-    command->add_option("--samples", options->samples, "N x N samples a pixel (antialiasing)")
-        ->type_name("N")
-        ->check(CLI::Range(1, 8));
-    command->add_option("--threads", options->threads, "Threads; by default one a core")
-        ->type_name("N")
-        ->check(CLI::Range(1, 256));
+    add_threads_option(*command, options->threads);
     command
         ->add_option("--slides", options->slides,
                      "A slide of 1920 x 1080, dark or light: the picture in the shape of --size, as large as it fits")
@@ -299,9 +281,6 @@ void add_render_command(CLI::App& app) {
         ->check(CLI::Range(1, 100000));
     command->add_option("--view", options->view, "Draw this quantity instead of the picture; the list is below")
         ->type_name("NAME");
-    command->add_option("--light", options->light, "Draw with light.I alone, as if all others were off")
-        ->type_name("I")
-        ->check(CLI::Range(0, 1000000));
     command->footer("\n" + view_list() + kExamples);
     command->callback([options] { render_command(*options); });
 }

@@ -7,45 +7,15 @@
 #include <CLI/CLI.hpp>
 
 #include "scene/error.hpp"
+#include "scene/files/mesh_file.hpp"
 #include "tools/mesh_scene.hpp"
+#include "tools/stages/stage.hpp"
 
 namespace kreda::tools {
 
-void add_scene_options(CLI::App& command, SceneOptions& options) {
-    command
-        .add_option("scene", options.file,
-                    "The scene file (TOML), or a mesh (OBJ) to look at; without it, a built-in teapot")
-        ->type_name("SCENE.toml|MESH.obj");
-    command
-        .add_option("--set", options.read.overrides,
-                    "Override a value of the scene: camera.position=[0,1,4], light.0.intensity=2, "
-                    "material.gold.shininess=64; as often as you like")
-        ->type_name("KEY=VALUE")
-        ->expected(1)
-        ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);
-    command.add_flag("--allow-outside", options.read.allow_outside,
-                     "Let OBJ and MTL files name files outside their own folder");
-}
+namespace {
 
-scene::Scene load_scene(const SceneOptions& options) {
-    const auto read = [&]() -> scene::Scene {
-        if (options.file.empty()) {
-            return scene::read_scene_text(scene::built_in_scene_text(), "built-in scene", "", options.read);
-        }
-        if (is_mesh_file(options.file)) {
-            const std::string text =
-                scene_around_mesh(options.file, {scene::Normals::file, options.read.allow_outside});
-            return scene::read_scene_text(text, "scene around " + options.file, "", options.read);
-        }
-        const std::string other = scene::other_format(options.file);
-        if (!other.empty()) throw scene::UserError(scene::Place{options.file}, other);
-        return scene::read_scene(options.file, options.read);
-    };
-    const scene::Scene scene = read();
-    for (const std::string& warning : scene.warnings) warn(warning);
-    return scene;
-}
-
+/// "640x360" -> "[640,360]", what --set image.size wants. Throws UserError.
 std::string size_value(const std::string& text) {
     const auto whole = [](const std::string& digits) {
         int number = 0;
@@ -61,6 +31,67 @@ std::string size_value(const std::string& text) {
                                ": expected WIDTHxHEIGHT in pixels, both at least 1, e.g. --size 640x360");
     }
     return "[" + std::to_string(width) + "," + std::to_string(height) + "]";
+}
+
+scene::Scene with_light_alone(const scene::Scene& scene, int light) {
+    const std::size_t count = scene.lights.size();
+    if (static_cast<std::size_t>(light) < count) return with_only_light(scene, static_cast<std::size_t>(light));
+    throw scene::UserError("--light " + std::to_string(light) + ": the scene has " + std::to_string(count) +
+                           (count == 1 ? " light" : " lights") + ", numbered from 0");
+}
+
+}  // namespace
+
+void add_scene_options(CLI::App& command, SceneOptions& options) {
+    command
+        .add_option("scene", options.file,
+                    "The scene file (TOML), or a mesh (OBJ) to look at; without it, a built-in teapot")
+        ->type_name("SCENE.toml|MESH.obj");
+    command
+        .add_option("--set", options.read.overrides,
+                    "Override a value of the scene: camera.position=[0,1,4], light.0.intensity=2, "
+                    "material.gold.shininess=64; as often as you like")
+        ->type_name("KEY=VALUE")
+        ->expected(1)
+        ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);
+    command.add_flag("--allow-outside", options.read.allow_outside,
+                     "Let OBJ and MTL files name files outside their own folder");
+    command.add_option("--size", options.size, "Width and height in pixels, e.g. 640x360")->type_name("WxH");
+    command.add_option("--samples", options.samples, "N x N samples a pixel (antialiasing)")
+        ->type_name("N")
+        ->check(CLI::Range(1, 8));
+    command.add_option("--light", options.light, "With light.I alone, as if all others were off")
+        ->type_name("I")
+        ->check(CLI::Range(0, 1000000));
+}
+
+void add_threads_option(CLI::App& command, int& threads) {
+    command.add_option("--threads", threads, "Threads; by default one a core")
+        ->type_name("N")
+        ->check(CLI::Range(1, 256));
+}
+
+scene::Scene load_scene(const SceneOptions& given) {
+    SceneOptions options = given;
+    std::vector<std::string>& overrides = options.read.overrides;
+    if (!options.size.empty()) overrides.push_back("image.size=" + size_value(options.size));
+    if (options.samples > 0) overrides.push_back("image.samples=" + std::to_string(options.samples));
+    const auto read = [&]() -> scene::Scene {
+        if (options.file.empty()) {
+            return scene::read_scene_text(scene::built_in_scene_text(), "built-in scene", "", options.read);
+        }
+        if (is_mesh_file(options.file)) {
+            const std::string text =
+                scene_around_mesh(options.file, {scene::Normals::file, options.read.allow_outside});
+            return scene::read_scene_text(text, "scene around " + options.file, "", options.read);
+        }
+        const std::string other = scene::other_format(options.file);
+        if (!other.empty()) throw scene::UserError(scene::Place{options.file}, other);
+        return scene::read_scene(options.file, options.read);
+    };
+    const scene::Scene scene = read();
+    for (const std::string& warning : scene.warnings) warn(warning);
+    return options.light < 0 ? scene : with_light_alone(scene, options.light);
 }
 
 void warn(const std::string& message) {

@@ -14,15 +14,19 @@ namespace kreda::tools {
 struct SceneOptions {
     std::string file;         ///< empty: the built-in scene
     scene::ReadOptions read;  ///< --set, --allow-outside
+    std::string size;         ///< "640x360"; empty: what the scene says
+    int samples = 0;          ///< 0: what the scene says
+    int light = -1;           ///< draw with this light alone; -1: with all that are on
 };
 
+/// SCENE, --set, --allow-outside, --size, --samples, --light: the commands that take them look at the same picture.
 void add_scene_options(CLI::App& command, SceneOptions& options);
+
+/// --threads N, 0 where it is not given.
+void add_threads_option(CLI::App& command, int& threads);
 
 /// Read the scene, or the built-in one; its warnings go to stderr. Throws UserError.
 [[nodiscard]] scene::Scene load_scene(const SceneOptions& options);
-
-/// "640x360" -> "[640,360]", what --set image.size wants. Throws UserError.
-[[nodiscard]] std::string size_value(const std::string& text);
 
 /// One line on stderr.
 void warn(const std::string& message);

@@ -26,14 +26,17 @@ std::string path_in(const std::string& folder, const std::string& name) {
     return (fs::path(folder) / name).lexically_normal().string();
 }
 
+std::string did_you_mean_file(const std::string& path) {
+    const std::string near = nearest_word(fs::path(path).filename().string(), neighbours(path));
+    return near.empty() ? "" : "; did you mean " + in_quotes(near) + "?";
+}
+
 std::string existing_file(const Value& key, const std::string& folder) {
     const std::string path = path_in(folder, key.text);
     std::error_code failed;
     if (fs::is_regular_file(path, failed)) return path;
     const std::string what = fs::is_directory(path, failed) ? " is a folder, not an image file" : " is not there";
-    const std::string near = nearest_word(fs::path(path).filename().string(), neighbours(path));
-    throw UserError(key.place, in_quotes(key.key) + ": " + path_in_quotes(path) + what +
-                                   (near.empty() ? "" : "; did you mean " + in_quotes(near) + "?"));
+    throw UserError(key.place, in_quotes(key.key) + ": " + path_in_quotes(path) + what + did_you_mean_file(path));
 }
 
 }  // namespace kreda::scene

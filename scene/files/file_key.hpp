@@ -13,4 +13,7 @@ namespace kreda::scene {
 /// The path that a key names. Throws UserError at the key's place, with the nearest name, if no such file is there.
 [[nodiscard]] std::string existing_file(const Value& key, const std::string& folder);
 
+/// "; did you mean 'x'?" with the file in the same folder whose name is nearest to that of `path`, or "".
+[[nodiscard]] std::string did_you_mean_file(const std::string& path);
+
 }  // namespace kreda::scene

@@ -95,12 +95,6 @@ std::string in_quotes(std::string_view token) {
     return "'" + visible(token.substr(0, kLongest)) + (token.size() > kLongest ? "...'" : "'");
 }
 
-std::string path_in_quotes(std::string_view path) {
-    constexpr std::size_t kLongest = 80;
-    if (path.size() <= kLongest) return "'" + visible(path) + "'";
-    return "'..." + visible(path.substr(path.size() - kLongest)) + "'";
-}
-
 std::string in_lower_case(std::string_view word) {
     std::string lower(word);
     for (char& c : lower) c = c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c;

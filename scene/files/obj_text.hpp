@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "scene/error.hpp"
+#include "scene/files/quoted_text.hpp"
 
 namespace kreda::scene {
 
@@ -59,9 +60,6 @@ private:
 
 /// Letters of ASCII alone.
 [[nodiscard]] std::string in_lower_case(std::string_view word);
-
-/// 'path': of a long one the beginning is cut, because its end holds the file's name.
-[[nodiscard]] std::string path_in_quotes(std::string_view path);
 
 /// Walks over the text, statement by statement. A statement ends with its line, but a backslash at the end of
 /// the line joins the next one to it.

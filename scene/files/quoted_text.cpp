@@ -1,4 +1,6 @@
-// Text in messages, declared in toml_tree.hpp. A file of its own because the module of images needs it, too.
+#include "scene/files/quoted_text.hpp"
+
+// A file of its own because the module of images needs it, too.
 #include <algorithm>
 #include <string>
 
@@ -9,6 +11,7 @@ namespace kreda::scene {
 namespace {
 
 constexpr std::size_t kMaxQuoted = 60;
+constexpr std::size_t kQuotedFront = 20;  ///< a long text is told apart by its end
 
 std::string without_controls(std::string_view text) {
     std::string result(text);
@@ -20,10 +23,13 @@ std::string without_controls(std::string_view text) {
 }  // namespace
 
 std::string on_one_line(std::string_view text) {
-    std::size_t length = std::min(text.size(), kMaxQuoted);
+    if (text.size() <= kMaxQuoted) return without_controls(text);
     const auto inside_character = [&](std::size_t i) { return (static_cast<unsigned char>(text[i]) & 0xC0) == 0x80; };
-    while (length > 0 && length < text.size() && inside_character(length)) --length;
-    return without_controls(text.substr(0, length)) + (length < text.size() ? "..." : "");
+    std::size_t front = kQuotedFront;
+    std::size_t back = text.size() - (kMaxQuoted - kQuotedFront);
+    while (front > 0 && inside_character(front)) --front;
+    while (back < text.size() && inside_character(back)) ++back;
+    return without_controls(text.substr(0, front)) + "..." + without_controls(text.substr(back));
 }
 
 std::string in_quotes(std::string_view text, char quote) {

@@ -14,6 +14,7 @@
 #include "raster/normals.hpp"
 #include "raster/shapes.hpp"
 #include "raster/triangle_setup.hpp"
+#include "scene/files/file_key.hpp"
 #include "scene/files/mesh_file.hpp"
 #include "scene/files/toml_check.hpp"
 #include "scene/join_parts.hpp"
@@ -91,8 +92,12 @@ SharedMesh ObjectReader::mesh_of(const Value& table) {
     const std::filesystem::path path = (std::filesystem::path(folder) / name).lexically_normal();
     std::error_code error;
     if (!std::filesystem::exists(path, error)) {
-        throw UserError(place_of(table, "mesh"), "there is no mesh file " + path_in_quotes(path.string()) +
-                                                     did_you_mean(name, shapes, "built-in meshes"));
+        const bool names_file = path.has_extension() || name.find('/') != std::string::npos;
+        const std::string file =
+            nearest_word(name, shapes).empty() || names_file ? did_you_mean_file(path.string()) : "";
+        throw UserError(place_of(table, "mesh"),
+                        "there is no mesh file " + in_quotes(path.string()) +
+                            (file.empty() ? did_you_mean(name, shapes, "built-in meshes") : file));
     }
     if (find(table, "detail")) {
         throw UserError(find(table, "detail")->key_place,

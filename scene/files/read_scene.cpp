@@ -9,6 +9,7 @@
 
 #include <glm/geometric.hpp>
 
+#include "scene/files/file_key.hpp"
 #include "scene/files/load_maps.hpp"
 #include "scene/files/overrides.hpp"
 #include "scene/files/place_scene.hpp"
@@ -225,7 +226,10 @@ std::string read_text_file(const std::string& path) {
     if (std::filesystem::is_directory(path, error)) throw UserError({path}, "is a folder, not a scene file");
     errno = 0;
     std::ifstream file(path, std::ios::binary);
-    if (!file) throw UserError({path}, std::string("cannot be opened: ") + std::strerror(errno));
+    if (!file) {
+        const std::string why = errno != 0 ? std::string(": ") + std::strerror(errno) : "";
+        throw UserError({path}, "cannot be opened" + why + did_you_mean_file(path));
+    }
     std::string text(kMaxFileBytes + 1, '\0');
     file.read(text.data(), static_cast<std::streamsize>(text.size()));
     if (file.bad()) throw UserError({path}, "cannot be read");

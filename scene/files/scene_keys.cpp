@@ -549,6 +549,10 @@ std::string type_text(const KeyInfo& info) {
     return "";
 }
 
+std::string default_text(const KeyInfo& info) {
+    return std::string(info.key) + (info.default_value.empty() ? "" : " = " + std::string(info.default_value));
+}
+
 std::string example_text(const KeyInfo& info) {
     const std::string_view value = info.example.empty() ? info.default_value : info.example;
     return std::string(info.key) + " = " + std::string(value);

@@ -63,7 +63,10 @@ struct KeyInfo {
 /// What may be written, in words: "a number > 0", "3 numbers >= 0", "\"back\" | \"front\" | \"none\"".
 [[nodiscard]] std::string type_text(const KeyInfo& info);
 
-/// "near = 0.1"
+/// "near = 0.1", what holds without the key; "measured" where nothing does.
+[[nodiscard]] std::string default_text(const KeyInfo& info);
+
+/// "near = 0.1", something to write: an example where the default is none.
 [[nodiscard]] std::string example_text(const KeyInfo& info);
 
 }  // namespace kreda::scene

@@ -74,7 +74,9 @@ void check_word(const Value& value, const KeyInfo& info) {
     const std::vector<std::string> words(info.words.begin(), info.words.end());
     if (std::find(words.begin(), words.end(), value.text) != words.end()) return;
     const std::string sentence = subject(info) + " is " + in_quotes(value.text, '"');
-    throw UserError(value.place, sentence + "; expected " + type_text(info));
+    const std::string near = nearest_word(value.text, words);
+    throw UserError(value.place, sentence + (near.empty() ? "" : "; did you mean " + in_quotes(near, '"') + "?") +
+                                     "; expected " + type_text(info));
 }
 
 void check_text(const Value& value, const KeyInfo& info) {
@@ -158,7 +160,15 @@ void check_tables(const Value& root) {
         if (std::find(known.begin(), known.end(), member.key) == known.end()) throw_unknown_table(member);
         if (!is_written_right(member)) {
             const std::string title = table_title(member.key);
-            throw UserError(member.key_place, in_quotes(member.key) + " must be written as a table " + title);
+            const bool single = member.kind == ValueKind::table;
+            const std::string how = is_repeated(member.key)
+                                        ? "there may be several, so it is written in double brackets"
+                                        : "there is only one, so it is written in single brackets";
+            const std::string found = single ? "[" + member.key + "]"
+                                      : member.kind == ValueKind::array && !is_repeated(member.key)
+                                          ? "[[" + member.key + "]]"
+                                          : in_quotes(member.key) + " = ...";
+            throw UserError(member.key_place, found + " must be " + title + ": " + how);
         }
     }
 }

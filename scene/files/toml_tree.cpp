@@ -4,6 +4,8 @@
 #include <cctype>
 #include <tuple>
 
+#include "scene/files/scene_keys.hpp"
+
 namespace kreda::scene {
 
 /// Thrown where toml++ would assert.
@@ -28,7 +30,7 @@ namespace {
 constexpr std::size_t kMaxDots = 100;
 constexpr std::size_t kMaxValues = 200'000;
 constexpr std::size_t kMaxListed = 24;
-constexpr std::size_t kMaxQuoted = 60;
+constexpr std::size_t kLongestWord = 60;  ///< nobody meant a longer one
 
 Place place_at(const toml::source_position& position, const std::string& name) {
     return {name, static_cast<int>(position.line), static_cast<int>(position.column)};
@@ -140,6 +142,29 @@ std::string syntax_message(const toml::parse_error& error) {
     return message + (unknown_type ? " (text needs quotes: \"...\")" : "");
 }
 
+bool redefines(const toml::parse_error& error) {
+    return error.description().find("redefine") != std::string_view::npos;
+}
+
+std::string_view line_of(std::string_view text, int line) {
+    for (int i = 1; i < line; ++i) text.remove_prefix(std::min(text.find('\n'), text.size() - 1) + 1);
+    return text.substr(0, text.find('\n'));
+}
+
+/// What to do about the second [object], [[camera]] and so on; "" where the line is another one.
+std::string table_written_twice(std::string_view line) {
+    const std::size_t open = line.find_first_not_of(" \t");
+    if (open == std::string_view::npos || line[open] != '[') return "";
+    const std::size_t begin = line.find_first_not_of("[ \t", open);
+    const std::string name(line.substr(begin, line.find_first_of("] \t#", begin) - begin));
+    const std::vector<std::string> known = table_names();
+    if (std::find(known.begin(), known.end(), name) == known.end()) return "";
+    if (!is_repeated(name))
+        return "[" + name + "] is there twice; a scene has one: write all its keys below one of them";
+    return "a second table '" + name + "': there may be several, so write each of them as " + table_title(name) +
+           ", in double brackets";
+}
+
 /// The only known word that contains this one, as "fov" does in "vertical_fov"; or "".
 std::string word_around(const std::string& word, const std::vector<std::string>& known) {
     const auto contains = [&](const std::string& other) { return other.find(word) != std::string::npos; };
@@ -158,7 +183,9 @@ Value parse_toml(const std::string& text, const std::string& name) {
         throw UserError(place_of_assertion(text, name),
                         "this is not TOML: expected a value or the right closing bracket");
     } catch (const toml::parse_error& error) {
-        throw UserError(place_at(error.source().begin, name), syntax_message(error));
+        const Place place = place_at(error.source().begin, name);
+        const std::string repeated = table_written_twice(line_of(text, place.line));
+        throw UserError(place, repeated.empty() || !redefines(error) ? syntax_message(error) : repeated);
     }
 }
 
@@ -179,8 +206,8 @@ const Place& place_of(const Value& table, std::string_view key) {
 }
 
 std::string did_you_mean(const std::string& word, const std::vector<std::string>& known, const std::string& what) {
-    std::string nearest = word.size() <= kMaxQuoted ? word_around(word, known) : "";
-    if (nearest.empty() && word.size() <= kMaxQuoted) nearest = nearest_word(word, known);
+    std::string nearest = word.size() <= kLongestWord ? word_around(word, known) : "";
+    if (nearest.empty() && word.size() <= kLongestWord) nearest = nearest_word(word, known);
     if (!nearest.empty()) return "; did you mean " + in_quotes(nearest) + "?";
     if (known.empty()) return "";
     std::string list = "; known " + what + ": ";

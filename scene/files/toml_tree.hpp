@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "scene/error.hpp"
+#include "scene/files/quoted_text.hpp"
 
 namespace kreda::scene {
 
@@ -35,14 +36,8 @@ struct Value {
 /// Where the value of a key is written; where its table is, when the key is absent.
 [[nodiscard]] const Place& place_of(const Value& table, std::string_view key);
 
-/// Text for a message: control characters become '?', long text is cut.
-[[nodiscard]] std::string on_one_line(std::string_view text);
-
-/// The same between quotes.
+/// on_one_line between quotes.
 [[nodiscard]] std::string in_quotes(std::string_view text, char quote = '\'');
-
-/// The same for a path: what is too long is cut at its beginning, and the file's name stays whole.
-[[nodiscard]] std::string path_in_quotes(std::string_view path);
 
 /// "; did you mean 'x'?" or, where nothing is near, "; known keys: a, b, c" (what = "keys").
 [[nodiscard]] std::string did_you_mean(const std::string& word, const std::vector<std::string>& known,

@@ -41,6 +41,10 @@ bool in_shadows(const RenderPlan& plan, std::uint32_t material) {
     return lit_at_pixels(plan, material) && !plan.shadows.empty();
 }
 
+bool finds_blockers(const RenderPlan& plan, std::uint32_t material) {
+    return in_shadows(plan, material) && !plan.shadows_by_frame;
+}
+
 bool is_microfacet(const RenderPlan& plan, std::uint32_t material) {
     return lit_at_pixels(plan, material) && plan.materials[material].material.model == ReflectionModel::cook_torrance;
 }
@@ -77,10 +81,6 @@ bool has_normal_map(const RenderPlan& plan, std::uint32_t material) {
     return has_map(plan, material, &lighting::MaterialMaps::normal);
 }
 
-bool has_ao_map(const RenderPlan& plan, std::uint32_t material) {
-    return has_map(plan, material, &lighting::MaterialMaps::ao);
-}
-
 bool has_level(const RenderPlan& plan, std::uint32_t material) {
     return plan.frequency == ShadingFrequency::phong && plan.materials[material].map_needs.uv_steps;
 }
@@ -109,6 +109,9 @@ constexpr const char* kMirror =
 constexpr const char* kShadows =
     "shading.frequency = \"phong\", a material that is not unlit and a light whose shadow = true falls on something "
     "seen";
+constexpr const char* kBlockers =
+    "shading.frequency = \"phong\", a material that is not unlit, shadow.method = \"map\" or \"exact\" and a light "
+    "whose shadow = true falls on something seen";
 constexpr const char* kMap = "shading.frequency = \"phong\" and a material with that map, read by its model";
 constexpr const char* kLevel =
     "shading.frequency = \"phong\" and a material with a map and texture_filter = \"trilinear\"";
@@ -155,7 +158,7 @@ std::vector<View> make_views() {
          [](const Batch& b, int i, int) { return b.lighting.microfacet.metallic.at(i); }},
         {"roughness", "0 smooth .. 1 rough", kMicrofacet, 1, share, kNothing, is_microfacet,
          [](const Batch& b, int i, int) { return b.lighting.microfacet.roughness.at(i); }},
-        {"ao", "share of the environment's light that arrives", kMap, 1, share, kNothing, has_ao_map,
+        {"ao", "share of the environment's light that arrives", kMicrofacet, 1, share, kNothing, is_microfacet,
          [](const Batch& b, int i, int) { return b.lighting.microfacet.ao.at(i); }},
         {"f0", "F0: reflectance at normal incidence", kMicrofacet, 3, color, kNothing, is_microfacet,
          [](const Batch& b, int i, int c) { return b.lighting.microfacet.f0.at(i)[c]; }},
@@ -171,10 +174,10 @@ std::vector<View> make_views() {
          kNothing, is_shiny, [](const Batch& b, int i, int) { return b.lighting.highlight.at(i); }},
         {"shadow", "1 lit .. 0 in shadow, of the last light that casts shadows", kShadows, 1, share, kNothing,
          in_shadows, [](const Batch& b, int i, int) { return b.lighting.shadow.at(i); }},
-        {"blocker_distance", "how far before the point lies what keeps that light from it", kShadows, 1, range,
-         kNothing, in_shadows, [](const Batch& b, int i, int) { return b.lighting.blocker_distance.at(i); }},
-        {"penumbra", "width of the soft edge of that shadow (shadow.filter = \"pcss\")", kShadows, 1, range, kNothing,
-         in_shadows, [](const Batch& b, int i, int) { return b.lighting.penumbra.at(i); }},
+        {"blocker_distance", "how far before the point lies what keeps that light from it", kBlockers, 1, range,
+         kNothing, finds_blockers, [](const Batch& b, int i, int) { return b.lighting.blocker_distance.at(i); }},
+        {"penumbra", "width of the soft edge of that shadow (shadow.filter = \"pcss\")", kBlockers, 1, range, kNothing,
+         finds_blockers, [](const Batch& b, int i, int) { return b.lighting.penumbra.at(i); }},
         {"D", "microfacets that face the half vector, of the last light that is on [1/sr]", kLitMicrofacet, 1, range,
          kNothing, is_lit_microfacet, [](const Batch& b, int i, int) { return b.lighting.microfacet.D.at(i); }},
         {"V", "V = G / (4 (n.l)(n.v)) of the last light that is on", kLitMicrofacet, 1, range, kNothing,

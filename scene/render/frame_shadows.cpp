@@ -50,13 +50,8 @@ void find_planar(const Frame& frame, const PlannedShadow& planned, const Occlude
 
 void find_volume_shadow(const Frame& frame, const PlannedShadow& planned, const Occluders& occluders,
                         std::vector<float>& factor) {
-    std::vector<shadows::VolumeCaster> casters;
-    for (std::size_t i = 0; i < planned.casters.size(); ++i) {
-        const MeshInstance& instance = frame.buffers.instances[static_cast<std::size_t>(planned.casters[i])];
-        casters.push_back(
-            {occluders.list[i], shadows::clip_positions(instance, frame.buffers.visible.clip_from_world)});
-    }
-    volume_shadow(casters, planned.source, frame.buffers.visible.samples(), factor);
+    volume_shadow(find_volume_casters(frame, planned, occluders), planned.source, frame.buffers.visible.samples(),
+                  factor);
 }
 
 }  // namespace
@@ -73,6 +68,17 @@ Occluders find_occluders(const Frame& frame, const std::vector<int>& objects) {
                                   glm::determinant(glm::dmat3(instance.world_from_object)) < 0.0});
     }
     return occluders;
+}
+
+std::vector<shadows::VolumeCaster> find_volume_casters(const Frame& frame, const PlannedShadow& planned,
+                                                       const Occluders& occluders) {
+    std::vector<shadows::VolumeCaster> casters;
+    for (std::size_t i = 0; i < planned.casters.size(); ++i) {
+        const MeshInstance& instance = frame.buffers.instances[static_cast<std::size_t>(planned.casters[i])];
+        casters.push_back(
+            {occluders.list[i], shadows::clip_positions(instance, frame.buffers.visible.clip_from_world)});
+    }
+    return casters;
 }
 
 void find_frame_shadows(const Frame& frame, const glm::mat4& clip_from_world) {

@@ -5,6 +5,7 @@
 
 #include "scene/render/frame.hpp"
 #include "shadows/shadow.hpp"
+#include "shadows/volume.hpp"
 
 namespace kreda::scene {
 
@@ -15,6 +16,10 @@ struct Occluders {
     std::vector<std::vector<std::uint32_t>> indices;  ///< of those that have hidden parts
 };
 [[nodiscard]] Occluders find_occluders(const Frame& frame, const std::vector<int>& objects);
+
+/// The same for shadow volumes, each with its vertices in the camera's clip space.
+[[nodiscard]] std::vector<shadows::VolumeCaster> find_volume_casters(const Frame& frame, const PlannedShadow& planned,
+                                                                     const Occluders& occluders);
 
 /// After the triangles are set up and before anything is lit: one factor a sample in the memory of each of the plan's
 /// shadows.

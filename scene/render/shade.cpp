@@ -5,11 +5,24 @@
 
 namespace kreda::scene {
 
+namespace {
+
+/// Lamps do not ask for ao, but a view may.
+void show_constant_ao(int count, const lighting::MaterialSetup& surface, lighting::LightingChannels& channels) {
+    if (surface.maps.ao.texture) return;
+    for (int i = 0; i < count; ++i) channels.microfacet.ao.set(i, surface.material.cook_torrance.ao);
+}
+
+}  // namespace
+
 void shade_points(const Frame& frame, const raster::Fragments& points, std::uint32_t material,
                   lighting::LightingChannels& channels) {
     const lighting::MaterialSetup& surface = frame.plan.materials[material];
     start_lighting(points, surface, frame.lighting, channels);
-    if (frame.plan.lit_by_environment) add_environment(points, surface, frame.lighting.environment, channels);
+    if (frame.plan.lit_by_environment)
+        add_environment(points, surface, frame.lighting.environment, channels);
+    else if (!frame.plan.views.empty())
+        show_constant_ao(points.count, surface, channels);
     if (surface.material.model != lighting::ReflectionModel::unlit) {
         // A view or a debugger looks at a light's quantities even where it adds nothing.
         const bool looked_at = !frame.plan.views.empty() || debug_pixel.x >= 0;

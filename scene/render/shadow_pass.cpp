@@ -43,6 +43,9 @@ bool find_shadow(const Frame& frame, int light_that_is_on, const raster::Fragmen
             case shadows::ShadowMethod::map: look_up(frame.plan, memory.map, points, channels); break;
             case shadows::ShadowMethod::exact:
                 shadow_factors(memory.exact, points.position, points.count, channels.shadow);
+                if (!frame.plan.shows_blockers) break;
+                shadow_blockers(memory.exact, points.position, points.count, channels.blocker_distance);
+                for (int k = 0; k < points.count; ++k) channels.penumbra.set(k, 0.0f);  // its edges are hard
                 break;
             default:  // found before, for all samples
                 for (int k = 0; k < points.count; ++k) channels.shadow.set(k, memory.factor[points.sample[k]]);

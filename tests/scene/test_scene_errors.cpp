@@ -46,10 +46,19 @@ TEST_CASE("An unknown table is reported where it stands with the nearest known o
 }
 
 TEST_CASE("A table that may be there once is written with one pair of brackets and the others with two") {
-    CHECK(complaint("[light]\n") == "s.toml:1:2: 'light' must be written as a table [[light]]");
-    CHECK(complaint("[[camera]]\n") == "s.toml:1:3: 'camera' must be written as a table [camera]");
-    CHECK(complaint("camera = 3\n") == "s.toml:1:1: 'camera' must be written as a table [camera]");
-    CHECK(complaint("light = [1]\n") == "s.toml:1:1: 'light' must be written as a table [[light]]");
+    CHECK(complaint("[light]\n") ==
+          "s.toml:1:2: [light] must be [[light]]: there may be several, so it is written in double brackets");
+    CHECK(complaint("[object]\nmesh = \"cube\"\n[object]\nmesh = \"sphere\"\n")
+              .find("write each of them as [[object]]") != std::string::npos);
+    CHECK(complaint("[camera]\nnear = 1\n[camera]\nfar = 9\n").find("[camera] is there twice") != std::string::npos);
+    CHECK(complaint("[[material]]\nmodel = \"blin_phong\"\n").find("did you mean \"blinn_phong\"?") !=
+          std::string::npos);
+    CHECK(complaint("[[camera]]\n") ==
+          "s.toml:1:3: [[camera]] must be [camera]: there is only one, so it is written in single brackets");
+    CHECK(complaint("camera = 3\n") ==
+          "s.toml:1:1: 'camera' = ... must be [camera]: there is only one, so it is written in single brackets");
+    CHECK(complaint("light = [1]\n") ==
+          "s.toml:1:1: 'light' = ... must be [[light]]: there may be several, so it is written in double brackets");
 }
 
 TEST_CASE("A wrong type says what was found and what is expected with an example") {

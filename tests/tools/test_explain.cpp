@@ -1,5 +1,6 @@
 // What `kreda explain` says of a pixel is what the real render did with it.
 #include <cmath>
+#include <cstdio>
 #include <string>
 
 #include <doctest/doctest.h>
@@ -98,10 +99,10 @@ TEST_CASE("explain: the lights' terms add up to the sums of the passes and these
         if (named.scene.shading.frequency != scene::ShadingFrequency::phong) continue;
         for_some_pixels(named.scene, [&](int x, int y) {
             const Explanation explanation = tools::explain_pixel(named.scene, {x, y});
-            const tools::Section* light_3 = find_section(explanation, "light_3");
-            if (!explanation.covered || !light_3) return;
+            const tools::Section* last_light = find_section(explanation, "light_2");
+            if (!explanation.covered || !last_light) return;
             glm::vec3 diffuse(0.0f), specular(0.0f);
-            for (const char* light : {"light_1", "light_2", "light_3"}) {
+            for (const char* light : {"light_0", "light_1", "light_2"}) {
                 diffuse += vector_of(value_of(*find_section(explanation, light), "L_D"));
                 specular += vector_of(value_of(*find_section(explanation, light), "L_S"));
             }
@@ -109,8 +110,8 @@ TEST_CASE("explain: the lights' terms add up to the sums of the passes and these
             const auto close = [](const glm::vec3& a, const glm::vec3& b) {
                 for (int c = 0; c < 3; ++c) CHECK(a[c] == doctest::Approx(b[c]).epsilon(3e-7));
             };
-            close(diffuse, vector_of(value_of(*light_3, "diffuse")));
-            close(specular, vector_of(value_of(*light_3, "specular")));
+            close(diffuse, vector_of(value_of(*last_light, "diffuse")));
+            close(specular, vector_of(value_of(*last_light, "specular")));
             const glm::vec3 ambient = vector_of(value_of(*find_section(explanation, "surface"), "ambient"));
             close(ambient + diffuse + specular, vector_of(value_of(*find_section(explanation, "sum"), "radiance")));
         });
@@ -282,4 +283,152 @@ TEST_CASE("explain: what cannot be asked is refused with the remedy") {
     refused({"--pixel", "99999999999,0"}, "e.g. --pixel 320,180");
     refused({"--pixel", "1,1", "--sample", "3,0"}, "numbers from 0 to 2");
     refused({"--pixel", "1,1", "--format", "pdf"}, "--format");
+}
+
+namespace {
+
+/// A wall behind a ball, lit from beside it, so that the ball's shadow falls on the wall, and a ball turned away from
+/// the light. `kind` is the light, `shadow` the table.
+scene::Scene shadow_scene(const std::string& kind, const std::string& shadow) {
+    return scene::read_scene_text(
+        "[image]\nsize = [24, 16]\n[camera]\nposition = [0.4, 0.6, 4]\n"
+        "[[light]]\nshadow = true\n" +
+            kind + "[shadow]\nsize = 64\n" + shadow +
+            "[[object]]\nmesh = \"sphere\"\ndetail = 8\nscale = 0.6\n"
+            "[[object]]\nmesh = \"plane\"\nrotate = [90, 0, 0]\ntranslate = [0, 0, -1]\nscale = 2\n",
+        "shadows", "");
+}
+
+/// All values of the equations with this symbol, in their order.
+std::vector<double> all_values_of(const tools::Section& section, const std::string& symbol) {
+    std::vector<double> values;
+    for (const tools::Item& item : section.items) {
+        const auto* equation = std::get_if<Equation>(&item);
+        if (equation && equation->symbol == symbol) values.push_back(equation->value.at(0));
+    }
+    return values;
+}
+
+struct ShadowCase {
+    std::string name, kind, shadow;
+};
+
+std::vector<ShadowCase> shadow_cases() {
+    const std::pair<const char*, const char*> lights[] = {
+        {"directional", "type = \"directional\"\ndirection = [-1, -0.5, -2]\n"},
+        {"point", "type = \"point\"\nposition = [1.5, 1, 2]\n"},
+        {"spot", "type = \"spot\"\nposition = [1.5, 1, 2]\ndirection = [-1.5, -1, -2.5]\ncone = [20, 40]\n"},
+    };
+    std::vector<ShadowCase> cases;
+    for (const auto& [name, kind] : lights) {
+        for (const char* method : {"exact", "irregular", "volume", "planar"}) {
+            cases.push_back({std::string(name) + " " + method, kind, "method = \"" + std::string(method) + "\"\n"});
+        }
+        for (const char* filter : {"none", "pcf", "pcss"}) {
+            for (const char* bias : {"none", "constant", "slope", "normal_offset"}) {
+                cases.push_back(
+                    {std::string(name) + " map " + filter + " " + bias, kind,
+                     "light_size = 0.3\nfilter = \"" + std::string(filter) + "\"\nbias = \"" + bias + "\"\n"});
+            }
+        }
+    }
+    return cases;
+}
+
+}  // namespace
+
+TEST_CASE("explain: the derivation of a shadow ends in the very number that the film was drawn with") {
+    for (const ShadowCase& one : shadow_cases()) {
+        CAPTURE(one.name);
+        const scene::Scene scene = shadow_scene(one.kind, one.shadow);
+        const scene::RenderPlan plan = make_plan(scene, {scene::find_view("shadow")});
+        scene::RenderBuffers buffers;
+        render(scene, plan, buffers);
+        int dark = 0, lit = 0;
+        for (int i = 0; i < 24 * 16; i += 11) {
+            const int x = i % 24, y = i / 24;
+            CAPTURE(x);
+            CAPTURE(y);
+            const Explanation explanation = tools::explain_pixel(scene, {x, y}, 1);  // tiny: threads would only wait
+            if (!explanation.covered) continue;
+            const std::vector<double> shadow = all_values_of(*find_section(explanation, "light_0"), "shadow");
+            REQUIRE(shadow.size() == 2);  // as it was derived, and as the channel holds it
+            CHECK(shadow[0] == shadow[1]);
+            CHECK(static_cast<float>(shadow[0]) == buffers.views[0].at(0, x, y));
+            (shadow[0] < 1.0 ? dark : lit) += 1;
+        }
+        CHECK(dark > 0);
+        CHECK(lit > 0);
+    }
+}
+
+TEST_CASE("explain: the numbers of an equation hold no second equation and lights have the numbers of the file") {
+    for (const NamedScene& named : scenes_to_explain()) {
+        CAPTURE(named.name);
+        const Explanation explanation = tools::explain_pixel(named.scene, {11, 8});
+        for (const tools::Section& section : explanation.derivation.sections) {
+            for (const tools::Item& item : section.items) {
+                const auto* equation = std::get_if<Equation>(&item);
+                if (!equation) continue;
+                CAPTURE(equation->symbol);
+                CHECK(equation->numbers.find(" = ") == std::string::npos);
+            }
+        }
+    }
+    scene::Scene scene = scenes_to_explain()[2].scene;
+    scene.lights[0].on = false;
+    const Explanation explanation = tools::explain_pixel(scene, {11, 8});
+    CHECK(find_section(explanation, "light_0") == nullptr);
+    CHECK(find_section(explanation, "light_1") != nullptr);
+}
+
+TEST_CASE("explain: planar fog puts in the numbers of its own formula") {
+    // The camera looks along -z from z = 3 or so; the sum of the products is the distance.
+    for (const NamedScene& named : scenes_to_explain()) {
+        if (named.name != "fog linear planar") continue;
+        const Explanation explanation = tools::explain_pixel(named.scene, {11, 8});
+        REQUIRE(explanation.covered);
+        for (const tools::Item& item : find_section(explanation, "fog")->items) {
+            const auto* equation = std::get_if<Equation>(&item);
+            if (!equation || equation->symbol != "z_p") continue;
+            double a[3], b[3];
+            std::string plain = equation->numbers;
+            for (const char* sign : {"(", ")"}) {
+                for (std::size_t at = 0; (at = plain.find(sign)) != std::string::npos;) plain.erase(at, 1);
+            }
+            for (std::size_t at = 0; (at = plain.find("·")) != std::string::npos;) plain.replace(at, 2, "*");
+            REQUIRE(std::sscanf(plain.c_str(), "%lf*%lf + %lf*%lf + %lf*%lf", &a[0], &b[0], &a[1], &b[1], &a[2],
+                                &b[2]) == 6);
+            CHECK(a[0] * b[0] + a[1] * b[1] + a[2] * b[2] == doctest::Approx(equation->value.at(0)).epsilon(1e-5));
+        }
+    }
+}
+
+TEST_CASE("explain: with several samples a pixel window coordinates are told in samples and in pixels") {
+    scene::Scene scene = square_scene();
+    scene.image.samples = 2;
+    const std::string text = as_text(tools::explain_pixel(scene, {32, 32}).derivation);
+    CHECK(text.find("window, in pixels   (16, ") != std::string::npos);
+    CHECK(text.find("window, in samples  (32, ") != std::string::npos);
+}
+
+TEST_CASE("explain: the distance to what blocks is that of the ray's hit and methods without one do not show it") {
+    // The square at z = 0.5 is 1.5 before the wall; the ray to the light climbs by 0.8: 1.5 / 0.8 = 1.875 along it.
+    const auto scene_with = [](const char* method) {
+        return square_scene(
+            "[[light]]\nshadow = true\ndirection = [-0.6, 0, -0.8]\n[shadow]\nmethod = \"" + std::string(method) +
+            "\"\n[[object]]\nmesh = \"plane\"\nrotate = [90, 0, 0]\ntranslate = [0, 0, 0.5]\nscale = 0.5\n"
+            "[[object]]\nmesh = \"plane\"\nrotate = [90, 0, 0]\ntranslate = [0, 0, -1]\nscale = 3\n");
+    };
+    scene::Scene scene = scene_with("exact");
+    scene.objects.pop_back();  // that of square_scene()
+    const scene::RenderPlan plan = make_plan(scene, {scene::find_view("blocker_distance")});
+    scene::RenderBuffers buffers;
+    render(scene, plan, buffers);
+    CHECK(buffers.views[0].at(0, 14, 32) == doctest::Approx(1.875).epsilon(1e-6));
+    CHECK(buffers.views[0].at(0, 60, 32) == 0.0f);  // lit
+    const tools::Section section = *find_section(tools::explain_pixel(scene, {14, 32}), "light_0");
+    CHECK(value_of(section, "distance").at(0) == doctest::Approx(1.875).epsilon(1e-6));
+    const scene::Scene other = scene_with("volume");
+    CHECK_FALSE(can_show(make_plan(other), other, *scene::find_view("blocker_distance")));
 }

@@ -26,6 +26,18 @@ TEST_CASE("help names every command and render's help every option") {
     }
 }
 
+TEST_CASE("plan and stages and explain take the options that change render's picture") {
+    const TempFolder folder;
+    for (const char* command : {"plan", "stages", "explain"}) {
+        CAPTURE(command);
+        const Outcome help = run_kreda({command, "--help"}, folder.path.string());
+        for (const char* option : {"--size", "--samples", "--light", "--set", "--allow-outside"}) {
+            CAPTURE(option);
+            CHECK(help.out.find(option) != std::string::npos);
+        }
+    }
+}
+
 TEST_CASE("keys prints every key of the scene file with its meaning") {
     const TempFolder folder;
     const Outcome keys = run_kreda({"keys"}, folder.path.string());
@@ -33,7 +45,9 @@ TEST_CASE("keys prints every key of the scene file with its meaning") {
     for (const scene::KeyInfo& key : scene::scene_keys()) {
         CAPTURE(key.key);
         CHECK(keys.out.find(scene::table_title(key.table)) != std::string::npos);
-        CHECK(keys.out.find(example_text(key)) != std::string::npos);
+        const std::string by_default = "  " + default_text(key) + (key.default_value.empty() ? " " : "");
+        CHECK(keys.out.find(by_default) != std::string::npos);
+        if (!key.example.empty()) CHECK(keys.out.find("; e.g. " + example_text(key)) != std::string::npos);
         CHECK(keys.out.find(key.meaning) != std::string::npos);
     }
 }

@@ -158,12 +158,12 @@ void check_request(const scene::ImageSettings& image, const PixelRequest& reques
     }
 }
 
-Explanation explain_pixel(const scene::Scene& scene, const PixelRequest& request) {
+Explanation explain_pixel(const scene::Scene& scene, const PixelRequest& request, int threads) {
     check_request(scene.image, request);
     const RenderPlan plan = plan_with_views(scene);
     scene::RenderBuffers buffers;
     std::optional<Explanation> explanation;
-    render(scene, plan, buffers, 0, [&](const Frame& frame) { explanation = explain_in(frame, request); });
+    render(scene, plan, buffers, threads, [&](const Frame& frame) { explanation = explain_in(frame, request); });
     return *explanation;
 }
 

@@ -33,8 +33,9 @@ struct Explanation {
 /// Throws UserError for a pixel or sample outside the picture.
 void check_request(const scene::ImageSettings& image, const PixelRequest& request);
 
-/// Draw the scene and follow one of its pixels. Throws UserError for a pixel outside the picture.
-[[nodiscard]] Explanation explain_pixel(const scene::Scene& scene, const PixelRequest& request);
+/// Draw the scene and follow one of its pixels. threads: 0 for one a core. Throws UserError for a pixel outside the
+/// picture.
+[[nodiscard]] Explanation explain_pixel(const scene::Scene& scene, const PixelRequest& request, int threads = 0);
 
 /// One sample of the frame, worked on again alone: a batch of one.
 struct SampleFacts {

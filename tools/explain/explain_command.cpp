@@ -23,6 +23,7 @@ struct ExplainOptions {
     std::string pixel;
     std::string sample;
     std::string format = "text";
+    int threads = 0;  ///< 0: as many as there are cores
 };
 
 /// "320,180" -> (320, 180).
@@ -53,7 +54,7 @@ void explain_command(const ExplainOptions& options) {
     scene::Scene scene = load_scene(options.scene);
     check_request(scene.image, request);
     bake_scene(scene, options.cache);
-    const Explanation explanation = explain_pixel(scene, request);
+    const Explanation explanation = explain_pixel(scene, request, options.threads);
     if (options.format == "json")
         std::cout << as_json(explanation.derivation);
     else if (options.format == "md")
@@ -70,6 +71,7 @@ Examples:
   kreda explain scene.toml --pixel 320,180
   kreda explain scene.toml --pixel 320,180 --format md > pixel.md
   kreda explain scene.toml --pixel 320,180 --set material.gold.roughness=0.1
+  kreda explain scene.toml --pixel 40,20 --size 80x45 --samples 2   of the picture that render makes with the same options
   kreda explain --pixel 300,150 --sample 0,2                 another of the pixel's samples)";
 
 }  // namespace
@@ -79,6 +81,7 @@ void add_explain_command(CLI::App& app) {
     const auto options = std::make_shared<ExplainOptions>();
     add_scene_options(*command, options->scene);
     add_cache_options(*command, options->cache);
+    add_threads_option(*command, options->threads);
     command->add_option("--pixel", options->pixel, "The pixel, from the upper left corner, e.g. 320,180")
         ->type_name("X,Y")
         ->required();

@@ -1,4 +1,6 @@
 // Explain, the end: the mean of the samples, exposure, tone map, transfer function, the byte in the PNG.
+#include <functional>
+
 #include "raster/film.hpp"
 #include "scene/files/image_file.hpp"
 #include "tools/explain/explain.hpp"
@@ -21,26 +23,33 @@ glm::vec3 mean_of(const std::vector<glm::vec3>& samples) {
     return sum / static_cast<float>(samples.size());
 }
 
+/// "(a, b, c)" of three texts.
+std::string texts_of(const glm::vec3& v, const std::function<std::string(const std::string&)>& text) {
+    return "(" + text(number_text(v.x)) + ", " + text(number_text(v.y)) + ", " + text(number_text(v.z)) + ")";
+}
+
 void explain_tone_map(const FilmSettings& settings, const glm::vec3& exposed, Section& section) {
-    const glm::vec3 positive = glm::max(exposed, glm::vec3(0.0f));
+    const glm::vec3 x = glm::max(exposed, glm::vec3(0.0f));
+    if (x != exposed) section.equation("exposed", "max(exposed, 0)", "", x);
+    const std::string white = number_text(settings.white);
     switch (settings.tone_map) {
-        case raster::ToneMap::none: break;
+        case raster::ToneMap::none: return section.equation("mapped", "exposed", "", x, "image.tone_map = \"none\"");
         case raster::ToneMap::reinhard:
-            section.equation("mapped", "L / (1 + L)", "",
-                             each(
-                                 positive, [](float L, const FilmSettings&) { return raster::reinhard(L); }, settings),
-                             "Reinhard");
-            return;
+            return section.equation("mapped", "exposed / (1 + exposed)",
+                                    texts_of(x, [](const std::string& e) { return e + " / (1 + " + e + ")"; }),
+                                    each(
+                                        x, [](float L, const FilmSettings&) { return raster::reinhard(L); }, settings),
+                                    "Reinhard");
         case raster::ToneMap::reinhard_extended:
-            section.equation(
-                "mapped", "L (1 + L/white²) / (1 + L)", "white = " + number_text(settings.white),
+            section.equation("white", "", "", settings.white, "image.white: maps to 1");
+            return section.equation(
+                "mapped", "exposed (1 + exposed/white²) / (1 + exposed)",
+                texts_of(x,
+                         [&](const std::string& e) { return e + " (1 + " + e + "/" + white + "²) / (1 + " + e + ")"; }),
                 each(
-                    positive, [](float L, const FilmSettings& s) { return raster::reinhard_extended(L, s.white); },
-                    settings),
+                    x, [](float L, const FilmSettings& s) { return raster::reinhard_extended(L, s.white); }, settings),
                 "Reinhard, extended");
-            return;
     }
-    section.equation("mapped", "L", "", positive, "image.tone_map = \"none\"");
 }
 
 std::string transfer_formula(const FilmSettings& settings) {
@@ -71,7 +80,7 @@ void explain_film(const scene::ImageSettings& image, const std::vector<glm::vec3
         explanation.byte[static_cast<std::size_t>(c)] = scene::byte_from_encoded(encoded[c]);
         bytes.push_back(explanation.byte[static_cast<std::size_t>(c)]);
     }
-    section.equation("byte", "round(255 encoded)", "255 · " + vector_text(encoded), bytes, "in the PNG");
+    section.equation("byte", "round(255 encoded)", "round(255 · " + vector_text(encoded) + ")", bytes, "in the PNG");
     explanation.derivation.sections.push_back(section);
 }
 

@@ -36,7 +36,7 @@ void put_matrix(const std::string& name, const glm::mat4& matrix, Section& secti
 }
 
 /// Rows are spaces, columns the corners of the mesh's triangle.
-Table spaces_table(const std::array<VertexSpaces, 3>& corner) {
+Table spaces_table(const std::array<VertexSpaces, 3>& corner, int samples) {
     Table table{"spaces", {"space", "corner 0", "corner 1", "corner 2"}, {}};
     const auto row = [&](const char* space, auto&& value, bool after_divide) {
         std::vector<std::string> cells{space};
@@ -53,8 +53,15 @@ Table spaces_table(const std::array<VertexSpaces, 3>& corner) {
         "clip", [](const VertexSpaces& v) { return vector_text(v.clip); }, false);
     row(
         "ndc", [](const VertexSpaces& v) { return vector_text(v.ndc); }, true);
+    if (samples > 1) {
+        const float n = static_cast<float>(samples);
+        row(
+            "window, in pixels", [n](const VertexSpaces& v) { return vector_text(v.window / glm::vec3(n, n, 1.0f)); },
+            true);
+    }
     row(
-        "window", [](const VertexSpaces& v) { return vector_text(v.window); }, true);
+        samples > 1 ? "window, in samples" : "window", [](const VertexSpaces& v) { return vector_text(v.window); },
+        true);
     row(
         "snapped, 1/256", [](const VertexSpaces& v) { return pair_text(v.screen.x, v.screen.y); }, true);
     row(
@@ -101,11 +108,12 @@ void explain_spaces(const SampleFacts& sample, const SourceTriangle& source, Der
     for (std::size_t i = 0; i < 3; ++i) {
         corner[i] = vertex_spaces(frame.scene, frame.plan, instance, source.vertex[i]);
     }
-    section.put(spaces_table(corner));
+    section.put(spaces_table(corner, frame.plan.samples));
     const std::string width = std::to_string(frame.plan.viewport.width);
     const std::string height = std::to_string(frame.plan.viewport.height);
     section.say("clip = clip_from_view view_from_world world_from_object object; ndc = clip / w; window = ((x + 1) " +
-                width + "/2, (1 - y) " + height + "/2, (z + 1)/2); snapped = the nearest 1/256.");
+                width + "/2, (1 - y) " + height + "/2, (z + 1)/2)" + (frame.plan.samples > 1 ? ", in samples" : "") +
+                "; snapped = the nearest 1/256.");
     const DrawnTriangle drawn = drawn_triangle(frame.scene, frame.plan, frame.buffers, sample.seen().triangle);
     if (drawn.clipped)
         say_clipping(drawn, section);

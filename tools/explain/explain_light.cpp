@@ -10,6 +10,7 @@
 #include "lighting/reflection.hpp"
 #include "scene/files/scene_keys.hpp"
 #include "scene/render/shade.hpp"
+#include "tools/explain/explain_shadow.hpp"
 
 namespace kreda::tools {
 
@@ -129,12 +130,28 @@ lighting::LightSample sample_of(const LightSetup& light, const glm::vec3& p) {
     return {};
 }
 
-/// Light k of those that are on.
-bool casts_shadow(const scene::Frame& frame, std::size_t k) {
-    const auto& shadows = frame.plan.shadows;
-    return std::any_of(shadows.begin(), shadows.end(), [k](const scene::PlannedShadow& shadow) {
-        return shadow.light_that_is_on == static_cast<int>(k);
-    });
+/// What light k of those that are on casts, or nullptr.
+const scene::PlannedShadow* shadow_of(const scene::Frame& frame, std::size_t k) {
+    for (const scene::PlannedShadow& shadow : frame.plan.shadows) {
+        if (shadow.light_that_is_on == static_cast<int>(k)) return &shadow;
+    }
+    return nullptr;
+}
+
+/// How the shadow was found, and its share of the light.
+void explain_shadow_of(const LitPoint& point, const scene::PlannedShadow& planned, float lit, Section& section) {
+    const shadows::ShadowSettings& s = planned.map.settings;
+    const bool map = s.method == shadows::ShadowMethod::map;
+    section.say("Its shadow, by shadow.method = \"" + word_for("shadow", "method", s.method) + "\"" +
+                (map ? ", filter \"" + word_for("shadow", "filter", s.filter) + "\", bias \"" +
+                           word_for("shadow", "bias", s.bias) + "\""
+                     : "") +
+                ":");
+    explain_shadow(point, planned, section);
+    section.equation("shadow", "", "", lit,
+                     lit == 1.0f   ? "nothing stands before this light"
+                     : lit == 0.0f ? "something stands before this light"
+                                   : "partly in shadow");
 }
 
 /// l and s of a light, and what a shadow leaves of it.
@@ -156,21 +173,18 @@ void explain_sample(const LitPoint& point, std::size_t k, const LightingChannels
     }
     const lighting::LightSample unshadowed = sample_of(light, p);
     section.equation("s", formula, factors, unshadowed.irradiance, "what arrives on a plane that faces the light");
-    if (!casts_shadow(point.frame, k)) return;
+    const scene::PlannedShadow* planned = shadow_of(point.frame, k);
+    if (!planned) return;
     const float lit = c.shadow.at(0);
-    section.equation("shadow", "", "", lit,
-                     lit == 1.0f   ? "nothing stands before this light"
-                     : lit == 0.0f ? "something stands before this light"
-                                   : "partly in shadow");
+    explain_shadow_of(point, *planned, lit, section);
     section.equation("s", "shadow s", number_text(lit) + " · " + vector_text(unshadowed.irradiance), c.irradiance.at(0),
                      "what is left of it");
 }
 
 Section light_section(const LitPoint& point, std::size_t k, const LightSetup& light) {
-    const std::string number = std::to_string(k + 1);
+    const std::string number = std::to_string(scene::index_of_light(point.frame.scene, static_cast<int>(k)));
     return {point.id + "light_" + number,
-            point.name + "light " + number + " of " + std::to_string(point.frame.lighting.lights.size()) + " (" +
-                word_for("light", "type", light.type) + ")",
+            point.name + "light." + number + " (" + word_for("light", "type", light.type) + ")",
             {}};
 }
 

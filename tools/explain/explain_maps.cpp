@@ -79,7 +79,8 @@ void explain_bent_normal(const LitPoint& point, const LightingChannels& c, Secti
     const bool up = maps.normal_y == lighting::NormalMapY::up;
     const glm::vec3 stored = c.map_normal.at(0);
     const glm::vec3 m(stored.x, up ? stored.y : -stored.y, stored.z);
-    section.equation("t", "T - (n0·T) n0, made unit", "T = " + vector_text(f.tangent.at(0)), frame.t, "where u grows");
+    section.equation("T", "", "", f.tangent.at(0), "tangent as interpolated");
+    section.equation("t", "T - (n0·T) n0, made unit", "", frame.t, "where u grows");
     section.equation("b", f.tangent_side.at(0) < 0.0f ? "t × n0" : "n0 × t", "", frame.b, "where v grows");
     section.equation("m", "", "", m,
                      up ? "from the normal map" : "from the normal map, its green turned: it points down");

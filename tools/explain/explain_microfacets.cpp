@@ -51,8 +51,8 @@ void explain_surface(const CookTorranceSetup& setup, const MicrofacetChannels& m
         return;
     }
     if (setup.has_index) {
-        section.equation("F0", "((n-1)² + k²) / ((n+1)² + k²)",
-                         "n = " + vector_text(setup.n) + ", k = " + vector_text(setup.k), m.f0.at(0));
+        section.equation("F0", "((n-1)² + k²) / ((n+1)² + k²)", "", m.f0.at(0),
+                         "n " + vector_text(setup.n) + ", k " + vector_text(setup.k));
         return;
     }
     const float metallic = m.metallic.at(0);

@@ -109,7 +109,9 @@ ExplainedTerms explain_brushed(const Directions& d, const PhongMaterial& m, Sect
     section.equation("h·b", "", dot_text(h, b), glm::dot(h, b));
     section.equation("h·n", "", dot_text(h, d.n), glm::dot(h, d.n));
     section.equation("e", "((h·t / α_t)² + (h·b / α_b)²) / (h·n)²",
-                     "α_t = " + number_text(alpha.x) + ", α_b = " + number_text(alpha.y),
+                     "((" + number_text(glm::dot(h, d.t)) + " / " + number_text(alpha.x) + ")² + (" +
+                         number_text(glm::dot(h, b)) + " / " + number_text(alpha.y) + ")²) / " +
+                         factor_text(glm::dot(h, d.n)) + "²",
                      lighting::ward_exponent(h, d.n, d.t, b, alpha.x, alpha.y));
     explain_lobe(m, "exp(-e) / (4π α_t α_b √((n·l)(n·v)))",
                  lighting::ward_anisotropic(d.n, d.t, b, d.l, d.v, alpha.x, alpha.y), lighting::positive_dot(d.n, d.l),

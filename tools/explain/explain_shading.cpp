@@ -134,9 +134,10 @@ void explain_fog_factor(const SampleFacts& sample, Section& section) {
     const bool planar = fog.distance == lighting::FogDistance::planar;
     const float z =
         planar ? lighting::planar_distance(p, setup.eye, setup.forward) : lighting::radial_distance(p, setup.eye);
-    section.equation("z_p", planar ? "(p - eye)·forward" : "|p - eye|",
-                     "|" + vector_text(p) + " - " + vector_text(setup.eye) + "|", z,
-                     planar ? "distance from the plane of the eye" : "distance from the eye");
+    section.equation(
+        "z_p", planar ? "(p - eye)·forward" : "|p - eye|",
+        planar ? dot_text(p - setup.eye, setup.forward) : "|" + vector_text(p) + " - " + vector_text(setup.eye) + "|",
+        z, planar ? "distance from the plane of the eye" : "distance from the eye");
     const float f = sample.passes->lighting.fog.at(0);
     const std::string d = number_text(fog.density), z_text = number_text(z);
     switch (fog.mode) {

@@ -26,8 +26,8 @@ struct Stage {
 
 using StageVisitor = std::function<void(const Stage&)>;
 
-/// Draw the scene and hand over one stage after another, in the order of the pipeline.
-void for_each_stage(const scene::Scene& scene, const StageVisitor& visit);
+/// Draw the scene and hand over one stage after another, in the order of the pipeline. threads: 0 for one a core.
+void for_each_stage(const scene::Scene& scene, const StageVisitor& visit, int threads = 0);
 
 // The two halves.
 void visit_geometry_stages(const scene::Frame& frame, const StageVisitor& visit);
@@ -44,7 +44,7 @@ struct PixelRectangle {
 /// A few pixels drawn large, three times (coverage, triangles, final colour): sample centres, snapped vertices, edges
 /// and which of them are top or left. A picture is at most width x height.
 [[nodiscard]] std::vector<Stage> zoom_stages(const scene::Scene& scene, const PixelRectangle& part, int width,
-                                             int height);
+                                             int height, int threads = 0);
 
 /// A colour for a triangle's number; neighbours differ. Linear RGB.
 [[nodiscard]] glm::vec3 color_of_number(std::uint32_t number);

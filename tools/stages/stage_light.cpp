@@ -213,9 +213,9 @@ void visit_light_stages(const Frame& frame, const StageVisitor& visit) {
     visit(final_stage(frame));
 }
 
-void for_each_stage(const Scene& scene, const StageVisitor& visit) {
+void for_each_stage(const Scene& scene, const StageVisitor& visit, int threads) {
     scene::RenderBuffers buffers;
-    render(scene, make_plan(scene, shown_views(scene)), buffers, 0, [&](const Frame& frame) {
+    render(scene, make_plan(scene, shown_views(scene)), buffers, threads, [&](const Frame& frame) {
         visit_geometry_stages(frame, visit);
         visit_light_stages(frame, visit);
     });

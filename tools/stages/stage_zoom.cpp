@@ -235,10 +235,11 @@ std::vector<Stage> zoom_in(const Frame& frame, const PixelRectangle& part, int w
 
 }  // namespace
 
-std::vector<Stage> zoom_stages(const scene::Scene& scene, const PixelRectangle& part, int width, int height) {
+std::vector<Stage> zoom_stages(const scene::Scene& scene, const PixelRectangle& part, int width, int height,
+                               int threads) {
     scene::RenderBuffers buffers;
     std::vector<Stage> stages;
-    render(scene, make_plan(scene), buffers, 0,
+    render(scene, make_plan(scene), buffers, threads,
            [&](const Frame& frame) { stages = zoom_in(frame, part, width, height); });
     return stages;
 }

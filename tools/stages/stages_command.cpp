@@ -30,11 +30,11 @@ struct StagesOptions {
     SceneOptions scene;
     CacheOptions cache;
     std::string output;
-    std::string size;
     std::string zoom;
     std::string slides;
     std::string title;
     bool exr = false;
+    int threads = 0;  ///< 0: as many as there are cores
 };
 
 /// Writes one stage after another and remembers what the page and the contact sheet need.
@@ -114,9 +114,7 @@ PixelRectangle read_zoom(const std::string& text, const scene::ImageSettings& im
 }
 
 scene::Scene load(const StagesOptions& options) {
-    SceneOptions scene_options = options.scene;
-    if (!options.size.empty()) scene_options.read.overrides.push_back("image.size=" + size_value(options.size));
-    scene::Scene scene = load_scene(scene_options);
+    scene::Scene scene = load_scene(options.scene);
     if (!options.slides.empty() && options.zoom.empty()) fit_to_slide(scene.image);
     return scene;
 }
@@ -133,9 +131,9 @@ void stages_command(const StagesOptions& options) {
     StageWriter writer(options, scene, ground);
     const auto write = [&](const Stage& stage) { writer.write(stage); };
     if (part) {
-        for (const Stage& stage : zoom_stages(scene, *part, zoom_room.x, zoom_room.y)) write(stage);
+        for (const Stage& stage : zoom_stages(scene, *part, zoom_room.x, zoom_room.y, options.threads)) write(stage);
     } else {
-        for_each_stage(scene, write);
+        for_each_stage(scene, write, options.threads);
     }
     writer.finish();
 }
@@ -161,7 +159,7 @@ void add_stages_command(CLI::App& app) {
     command->add_option("-o,--output", options->output, "Folder for the pictures, made if need be")
         ->type_name("DIR")
         ->required();
-    command->add_option("--size", options->size, "Width and height in pixels, e.g. 640x360")->type_name("WxH");
+    add_threads_option(*command, options->threads);
     command->add_option("--zoom", options->zoom, "Only these pixels, drawn large with centres, vertices and edges")
         ->type_name("X,Y,W,H");
     command->add_option("--slides", options->slides, "Slides of 1920 x 1080: dark or light")->type_name("GROUND");
