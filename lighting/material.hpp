@@ -75,8 +75,8 @@ struct Map {
 /// Maps replace the constant of the same name; normal bends the interpolated normal.
 struct MaterialMaps {
     Map albedo, diffuse, emission, metallic, roughness, ao, normal;
-    bool normal_from_height = false;  ///< the file of `normal` holds heights; its texels are made from them
-    float bump_scale = 0.02f;         ///< heights: how far white stands above black, in widths of the picture
+    bool normal_from_height = false;       ///< the file of `normal` holds heights; its texels are made from them
+    float bump_scale = 0.02f;              ///< heights: how far white stands above black, in widths of the picture
     NormalMapY normal_y = NormalMapY::up;  ///< where green points: up (OpenGL) or down (DirectX)
     TextureFilter filter = TextureFilter::trilinear;
     TextureWrap wrap = TextureWrap::repeat;

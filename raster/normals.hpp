@@ -19,9 +19,9 @@ namespace kreda::raster {
 /// edges, 180 and more smooths over every edge. Vertices at bitwise equal positions are one point for this.
 std::uint32_t make_smooth_normals(Mesh& mesh, float crease_angle_deg = 60.0f);
 
-/// The same for meshes that come without normals: where the crease cuts one to three triangles out of a surface that goes
-/// on around them, they are noise of a scanner and are summed with it. A flat face keeps its edges: a smooth wall turns
-/// by at most the crease at each of its corners, so at 60 degrees it has 6 corners and at least 4 triangles.
+/// The same for meshes that come without normals: where the crease cuts one to three triangles out of a surface that
+/// goes on around them, they are noise of a scanner and are summed with it. A flat face keeps its edges: a smooth wall
+/// turns by at most the crease at each of its corners, so at 60 degrees it has 6 corners and at least 4 triangles.
 std::uint32_t make_smooth_normals_without_specks(Mesh& mesh);
 
 /// The same sum over the triangles of equal smoothing group (the `s` lines of an OBJ): one entry a triangle, 0 is flat.

@@ -164,12 +164,12 @@ void plan_tiles(const Scene& scene, RenderPlan& plan) {
              {{"lighting channels of one batch, a thread", sizeof(lighting::LightingChannels)}}});
     }
     if (plan.lit_by_environment) {
-        plan.passes.push_back(
-            {"environment",
-             scene.environment.reference > 0
-                 ? std::to_string(scene.environment.reference) + " samples of the integral in each of three ways " + where_lit(plan.frequency)
-                 : std::string("the split sum ") + where_lit(plan.frequency),
-             {}});
+        plan.passes.push_back({"environment",
+                               scene.environment.reference > 0
+                                   ? std::to_string(scene.environment.reference) +
+                                         " samples of the integral in each of three ways " + where_lit(plan.frequency)
+                                   : std::string("the split sum ") + where_lit(plan.frequency),
+                               {}});
     }
     if (plan.fog_at_pixels) plan.passes.push_back({"fog at pixels", "fog.frequency = \"pixel\"", {}});
     if (plan.fog_at_vertices || plan.fog_at_pixels) {

@@ -12,8 +12,8 @@
 #include "scene/files/mesh_file.hpp"
 #include "scene/files/read_scene.hpp"
 #include "scene/origin.hpp"
-#include "scene/view_warnings.hpp"
 #include "scene/render/render.hpp"
+#include "scene/view_warnings.hpp"
 #include "tests/scene/temp_folder.hpp"
 
 using namespace kreda;

@@ -162,8 +162,7 @@ TEST_CASE("mesh habits: maps of an MTL go where they belong, options and capital
     for (const char* name : {"kd.png", "ke.png", "bump it.png", "norm.png"}) folder.write(name, "x");
     const std::string face = kVertices + "usemtl m\nf 1 2 3\n";
     folder.write("a.obj", "mtllib a.mtl\n" + face);
-    folder.write("a.mtl",
-                 "newmtl m\nmap_Kd kd.png\nmap_Bump -bm 0.5 bump it.png\nbump -bm 0.5 bump it.png\n");
+    folder.write("a.mtl", "newmtl m\nmap_Kd kd.png\nmap_Bump -bm 0.5 bump it.png\nbump -bm 0.5 bump it.png\n");
     Result result = load(folder, "a.obj");
     CHECK(result.warnings.empty());
     const kreda::lighting::MaterialMaps maps = result.loaded.materials[0].maps;
