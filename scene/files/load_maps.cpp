@@ -157,9 +157,10 @@ std::shared_ptr<const raster::Texture> load_heights(const std::string& path, con
         warnings.push_back(path + ": is given as a height map (bump), but is a normal map by its colours; read as one");
         return load_texture(path, MapKind::normal, with_pyramid, warnings);
     }
-    Decoder decoder{MapKind::value, stored.bits};
-    const raster::Image heights = decode(stored, decoder);
-    warn(path, decoder, warnings);
+    const ColorChannels channels = color_channels(stored.channels, stored.alpha);
+    Decoder decoder{MapKind::value, stored};
+    const raster::Image heights = decode(channels, decoder);
+    warn(path, channels, decoder, warnings);
     return std::make_shared<raster::Texture>(
         raster::make_texture(normals_of_heights(heights, maps.bump_scale, maps.wrap), with_pyramid));
 }
