@@ -37,7 +37,7 @@ std::string in_quotes(std::string_view text, char quote) {
 }
 
 std::string path_in_quotes(std::string_view path) {
-    const std::size_t name = path.size() - (path.rfind('/') + 1);  // npos + 1 is 0
+    const std::size_t name = path.size() - (path.find_last_of("/\\") + 1);  // npos + 1 is 0
     const std::size_t length = std::max(name, kMaxQuoted);
     if (path.size() <= length) return "'" + without_controls(path) + "'";
     std::size_t start = path.size() - length;
