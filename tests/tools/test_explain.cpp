@@ -345,7 +345,7 @@ TEST_CASE("explain: the derivation of a shadow ends in the very number that the 
         scene::RenderBuffers buffers;
         render(scene, plan, buffers);
         int dark = 0, lit = 0;
-        for (int i = 0; i < 24 * 16; i += 11) {
+        for (int i = 0; i < 24 * 16; i += 5) {
             const int x = i % 24, y = i / 24;
             CAPTURE(x);
             CAPTURE(y);
