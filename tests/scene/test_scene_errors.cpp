@@ -73,8 +73,9 @@ TEST_CASE("A wrong type says what was found and what is expected with an example
           "s.toml:2:11: 'samples' in [image] is 2; expected a whole number in 1..8, e.g. samples = 1");
     CHECK(complaint("[[light]]\non = 1\n") ==
           "s.toml:2:6: 'on' in [[light]] is 1; expected true or false, e.g. on = true");
-    CHECK(complaint("[shading]\ncull = 'bak'\n") ==
-          "s.toml:2:8: 'cull' in [shading] is \"bak\"; did you mean \"back\"?; expected \"back\" | \"front\" | \"none\"");
+    CHECK(
+        complaint("[shading]\ncull = 'bak'\n") ==
+        "s.toml:2:8: 'cull' in [shading] is \"bak\"; did you mean \"back\"?; expected \"back\" | \"front\" | \"none\"");
     CHECK(complaint("[[light]]\nattenuation = 'weak'\n") ==
           "s.toml:2:15: 'attenuation' in [[light]] is \"weak\"; expected 3 numbers >= 0 or \"physical\"");
     CHECK(place("[[object]]\nmesh = 1979-05-27\n") == "s.toml:2:8");
