@@ -10,7 +10,6 @@ namespace kreda::lighting {
 
 namespace {
 
-using raster::Channel3;
 using raster::Fragments;
 using raster::lanes_for;
 

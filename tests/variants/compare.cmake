@@ -1,5 +1,6 @@
-# cmake -DPROGRAM=... -DSOURCE=... -DFOLDER=... -DVARIANT=name [-DCOMPILER=... -DFLAGS=...] -P compare.cmake
-# Hashes from PROGRAM against those of the variant, line by line; says which scene differs first.
+# cmake -DPROGRAM=... -DSOURCE=... -DFOLDER=... -DVARIANT=name [-DBUILT=... | -DCOMPILER=... -DFLAGS=...] -P compare.cmake
+# Hashes from PROGRAM against those of the variant (the program BUILT, or one that is built here), line by line; says
+# which scene differs first.
 
 function(run_hashes program out)
   execute_process(COMMAND ${program} ${ARGN} OUTPUT_VARIABLE text RESULT_VARIABLE code)
@@ -34,6 +35,12 @@ if(VARIANT STREQUAL "threads")
   return()
 endif()
 
+if(BUILT)
+  run_hashes(${BUILT} actual 2)
+  expect_same("${VARIANT}" "${expected}" "${actual}")
+  return()
+endif()
+
 find_program(compiler_path ${COMPILER})
 if(NOT compiler_path)
   message("SKIPPED: ${COMPILER} is not installed")
@@ -50,6 +57,7 @@ endif()
 set(build ${FOLDER}/${VARIANT})
 execute_process(COMMAND ${CMAKE_COMMAND} -S ${SOURCE} -B ${build} -G Ninja -DCMAKE_CXX_COMPILER=${compiler_path}
   -DCMAKE_BUILD_TYPE=Debug "-DCMAKE_CXX_FLAGS_DEBUG=${FLAGS}" -DKREDA_TOOLS=OFF -DKREDA_TESTS=OFF -DKREDA_HASH_ONLY=ON
+  -DCMAKE_DISABLE_PRECOMPILE_HEADERS=ON
   OUTPUT_QUIET COMMAND_ERROR_IS_FATAL ANY)
 execute_process(COMMAND ${CMAKE_COMMAND} --build ${build} --target hash_scenes OUTPUT_VARIABLE log RESULT_VARIABLE code)
 if(NOT code EQUAL 0)

@@ -1,0 +1,13 @@
+# Headers that nearly every source includes, parsed once a target instead of once a file: a third of the time of a build.
+# Each file still includes what it uses: a build with -DCMAKE_DISABLE_PRECOMPILE_HEADERS=ON shows what is missing, and
+# the variants in tests/variants are built so.
+set(KREDA_COMMON_HEADERS
+  <algorithm> <array> <cmath> <cstdint> <cstdio> <filesystem> <functional> <limits> <map> <memory> <numbers> <optional>
+  <random> <span> <sstream> <string> <string_view> <utility> <vector>
+  <glm/common.hpp> <glm/geometric.hpp> <glm/mat3x3.hpp> <glm/mat4x4.hpp> <glm/matrix.hpp> <glm/trigonometric.hpp>
+  <glm/vec2.hpp> <glm/vec3.hpp> <glm/vec4.hpp>)
+
+# kreda_precompile(TARGET [HEADER...]): the common headers and these.
+function(kreda_precompile target)
+  target_precompile_headers(${target} PRIVATE ${KREDA_COMMON_HEADERS} ${ARGN})
+endfunction()
