@@ -129,11 +129,7 @@ glm::vec3 compensation_term(const CookTorranceSetup& setup, const MicrofacetSurf
     const float E_v = directional_albedo(setup.energy, n_dot_v, surface.roughness);
     const float E_avg = average_albedo(setup.energy, surface.roughness);
     const float f_ms = multiple_scattering(E_l, E_v, E_avg);
-    glm::vec3 F_ms;
-    for (int channel = 0; channel < 3; ++channel) {
-        const float F_avg = average_schlick(surface.f0[channel]) + setup.f_avg_shift[channel];
-        F_ms[channel] = multiple_scattering_color(F_avg, E_avg);
-    }
+    const glm::vec3 F_ms = multiple_scattering_color(surface.f0, setup.f_avg_shift, E_avg);
     return F_ms * (f_ms * n_dot_l);
 }
 
