@@ -42,6 +42,8 @@ KREDA_BATCH_LOOP void reflect_at_facets(int lanes, glm::vec2 u, LightingChannels
     }
 }
 
+/// A and B: the mean of f (n.l) / p, split by F = F0 (1 - F_c) + F_c. For F = 1 it is the directional albedo A + B,
+/// which energy.cpp computes in its own way and says why.
 KREDA_BATCH_LOOP void add_sample(int lanes, const MicrofacetChannels& m, Channel& scale, Channel& bias) {
     for (int i = 0; i < lanes; ++i) {
         const float w = visible_weight(m, i);
