@@ -238,8 +238,9 @@ light_depth is as large as the map (shadow.size; six in a row for a point light:
 
 The scene file is described by `kreda keys`; a value given here wins over the file's.
 --time prints one line of JSON, milliseconds from the loaded scene to the linear film, without loading, tone mapping and
-writing. Stages that run tile by tile are summed over the threads and divided by their number. pixels_shaded counts
-visible samples: with --samples 2 up to four a pixel.
+writing. Its stages are the passes of kreda plan, in that order; those that threads share tile by tile take parts of the
+common time. Baking is done before, and not part of total_ms. pixels_shaded counts visible samples: with --samples 2 up to
+four a pixel.
 An environment is baked before the first frame. Its maps are kept in .kreda-cache beside the scene file, for the next render;
 delete the folder at will.
 
@@ -275,7 +276,7 @@ void add_render_command(CLI::App& app) {
     command
         ->add_option("--caption", options->caption, "Caption of the slide; by default the view, or what --set changed")
         ->type_name("TEXT");
-    command->add_flag("--time", options->time, "Print the time of each stage as one line of JSON");
+    command->add_flag("--time", options->time, "Print the time of each pass as one line of JSON");
     command->add_option("--repeat", options->repeat, "Draw N times; --time gives the median of each number")
         ->type_name("N")
         ->check(CLI::Range(1, 100000));

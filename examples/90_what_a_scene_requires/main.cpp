@@ -1,6 +1,6 @@
 // 90_what_a_scene_requires: the plan. Five scenes, and which passes each of them needs, with what they cost.
 // Page docs/90_what_a_scene_requires.md | After 24_shading, 30_fog | New: make_plan(), PlannedPass, PassCost
-// Break at: estimate_costs | Look at: plan.passes, plan.frequency, plan.vertex | Try: switch a lamp off, set
+// Break at: list_passes | Look at: plan.passes, plan.frequency, plan.vertex | Try: switch a lamp off, set
 // fog.density to 0
 #include <cmath>
 #include <cstdio>
@@ -67,12 +67,15 @@ const scene::PlannedPass* find_pass(const scene::RenderPlan& plan, const std::st
     return nullptr;
 }
 
-/// A bar as long as the cost is high, from a thousand operations to a hundred million; a dot for a pass left out.
-void draw_cell(Image& picture, const scene::PlannedPass* pass, int left, int middle, int width, int height) {
+/// A bar as long as the cost is high, from a thousand operations to a hundred million; a dot for a pass left out. What
+/// a pass runs at every point that it lights counts with it.
+void draw_cell(Image& picture, const scene::RenderPlan& plan, const scene::PlannedPass* pass, int left, int middle,
+               int width, int height) {
     if (!pass) return draw_disc(picture, {left + 2, middle}, 1.2f, kSlate);
-    const double share = std::log10(std::max(pass->cost.operations(), 1e3) / 1e3) / 5.0;
+    const double operations = operations_of(plan, pass->name);
+    const double share = std::log10(std::max(operations, 1e3) / 1e3) / 5.0;
     const int length = std::max(3, static_cast<int>(width * std::min(share, 1.0)));
-    fill_rectangle(picture, left, middle - height / 2, length, height, pass->cost.operations() > 0.0 ? kOrange : kBlue);
+    fill_rectangle(picture, left, middle - height / 2, length, height, operations > 0.0 ? kOrange : kBlue);
 }
 
 void draw(const Options& options) {
@@ -91,7 +94,7 @@ void draw(const Options& options) {
         paste(picture, scene::render(scene), x, 0);
         draw_text(picture, x, top - 10 * scale, name, kYellow, scale);
         for (int r = 0; r < static_cast<int>(kPasses.size()); ++r) {
-            draw_cell(picture, find_pass(plan, kPasses[static_cast<std::size_t>(r)]), x, top + r * row + row / 2,
+            draw_cell(picture, plan, find_pass(plan, kPasses[static_cast<std::size_t>(r)]), x, top + r * row + row / 2,
                       column - 6, row * 3 / 5);
         }
         std::printf("%-8s %2zu passes, %5.1f million operations, %8llu bytes\n", name, plan.passes.size(),

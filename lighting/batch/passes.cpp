@@ -231,24 +231,35 @@ MaterialSetup prepare(const Material& material) {
     return setup;
 }
 
-void start_lighting(const Fragments& fragments, const MaterialSetup& material, const LightingSetup& setup,
-                    LightingChannels& channels) {
+void start_surface(const Fragments& fragments, const MaterialSetup& material, const LightingSetup& setup,
+                   LightingChannels& channels) {
+    start_terms(lanes_for(fragments.count), unlit_radiance(material.material, setup.ambient), channels);
+    if (material.material.model != ReflectionModel::cook_torrance) return;
+    fill_surface(fragments.count, material.cook_torrance, channels.microfacet);
+}
+
+void apply_maps(const Fragments& fragments, const MaterialSetup& material, LightingChannels& channels) {
+    read_maps(fragments, material.maps, material.cook_torrance, channels);
+    if (material.material.model != ReflectionModel::unlit || !material.maps.diffuse.texture) return;
+    shine_by_map(lanes_for(fragments.count), material.material.phong.emission, channels);
+}
+
+void find_directions(const Fragments& fragments, const MaterialSetup& material, const LightingSetup& setup,
+                     LightingChannels& channels) {
     const int lanes = lanes_for(fragments.count);
-    const ReflectionModel model = material.material.model;
-    start_terms(lanes, unlit_radiance(material.material, setup.ambient), channels);
-    if (model == ReflectionModel::cook_torrance) {
-        fill_surface(fragments.count, material.cook_torrance, channels.microfacet);
-    }
-    if (material.map_needs.uv) read_maps(fragments, material.maps, material.cook_torrance, channels);
-    if (model == ReflectionModel::unlit) {
-        if (material.maps.diffuse.texture) shine_by_map(lanes, material.material.phong.emission, channels);
-        return;
-    }
     surface_directions(fragments, lanes, setup.eye, channels);
     if (setup.orthographic) same_view_everywhere(lanes, -setup.forward, channels);
     if (material.map_needs.tangent) bend_normals(fragments, material.maps, channels);
-    if (model == ReflectionModel::cook_torrance) find_viewing_angle(fragments.count, channels);
+    if (material.material.model == ReflectionModel::cook_torrance) find_viewing_angle(fragments.count, channels);
     if (needs_grain(material.material)) find_grain(fragments.count, material.material.phong, channels);
+}
+
+void start_lighting(const Fragments& fragments, const MaterialSetup& material, const LightingSetup& setup,
+                    LightingChannels& channels) {
+    start_surface(fragments, material, setup, channels);
+    if (material.map_needs.uv) apply_maps(fragments, material, channels);
+    if (material.material.model == ReflectionModel::unlit) return;
+    find_directions(fragments, material, setup, channels);
 }
 
 void sample_light(const Fragments& fragments, const LightSetup& light, LightingChannels& channels) {

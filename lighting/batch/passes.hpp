@@ -39,11 +39,23 @@ struct LightingSetup {
 };
 
 // The lecture's equation,  radiance = ambient + sum over lights of shadow (diffuse + specular),  is these in turn:
-// start_lighting; add_environment where there is one; for each light sample_light, and where any_faces_light
-// shadow_light (if it casts a shadow) and add_reflection; sum_terms. scene/render/shade.cpp runs them.
+// start_surface; apply_maps where there are some; find_directions; add_environment where there is one; for each light
+// sample_light, and where any_faces_light shadow_light (if it casts a shadow) and add_reflection; sum_terms.
+// scene/render/shade.cpp runs them.
 
-/// What the lights will need: n, v, the material at every point; ambient = s_A m_A + m_E; nothing reflected yet.
-/// Reads fragments.position, fragments.normal, and what material.map_needs says.
+/// The material at every point as its constants say: ambient = s_A m_A + m_E; nothing reflected yet.
+void start_surface(const raster::Fragments& fragments, const MaterialSetup& material, const LightingSetup& setup,
+                   LightingChannels& channels);
+
+/// What the maps say instead of the constants. Reads the fragments' u, v and their steps, as material.map_needs says.
+void apply_maps(const raster::Fragments& fragments, const MaterialSetup& material, LightingChannels& channels);
+
+/// What the lights will need: n, v, and what the model makes of them. Not for unlit materials. Reads
+/// fragments.position, fragments.normal, and for normal maps the tangents.
+void find_directions(const raster::Fragments& fragments, const MaterialSetup& material, const LightingSetup& setup,
+                     LightingChannels& channels);
+
+/// The three in turn, as far as the material needs them.
 void start_lighting(const raster::Fragments& fragments, const MaterialSetup& material, const LightingSetup& setup,
                     LightingChannels& channels);
 

@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "scene/map_meshes.hpp"
+#include "scene/plan/pass_functions.hpp"
 
 namespace kreda::scene {
 
@@ -58,12 +59,12 @@ std::vector<PlannedPass> plan_baking(const Scene& scene, const lighting::Environ
     std::vector<PlannedPass> passes;
     if (!needs.any()) return passes;
     const int size = environment_size(scene.environment);
-    const auto bake = [&](const char* map, const std::string& reason, const char* buffer, const char* items,
-                          const lighting::BakeCost& cost) {
+    const auto bake = [&](void (*run)(const PassWork&), const char* map, const std::string& reason, const char* buffer,
+                          const char* items, const lighting::BakeCost& cost) {
         const PassCost pass_cost{items, cost.count, cost.operations_each};
-        passes.push_back({std::string("bake ") + map, reason, {{buffer, cost.bytes}}, pass_cost});
+        passes.push_back({std::string("bake ") + map, reason, {{buffer, cost.bytes}}, pass_cost, PassScope::once, run});
     };
-    bake("environment", why_cube(scene, needs), "cube map with its mip levels, while baking", "directions",
+    bake(bake_cube, "environment", why_cube(scene, needs), "cube map with its mip levels, while baking", "directions",
          environment_cost(scene.environment));
     lighting::PrefilterSettings prefilter;
     prefilter.samples = scene.environment.samples;
@@ -76,7 +77,7 @@ std::vector<PlannedPass> plan_baking(const Scene& scene, const lighting::Environ
         passes.back().buffers.push_back({"table of its light", (2 * texels + 6 * size) * sizeof(float)});
     }
     if (needs.blurred) {
-        bake("prefiltered levels",
+        bake(bake_levels, "prefiltered levels",
              "a cook_torrance material reflects the environment, " + std::to_string(scene.environment.samples) +
                  " samples at roughness 1",
              "levels of a cube map", "samples of the texels", lighting::prefilter_cost(size, prefilter));
@@ -85,12 +86,13 @@ std::vector<PlannedPass> plan_baking(const Scene& scene, const lighting::Environ
         const bool sh9 = needs.form == lighting::IrradianceForm::sh9;
         const char* const reason =
             sh9 ? "nine coefficients: environment.irradiance = \"sh9\"" : "a lit material gathers it from all sides";
-        bake("irradiance", reason, sh9 ? "coefficients" : "cube map", sh9 ? "texels" : "pairs of texels",
-             lighting::irradiance_cost(size, needs.form));
+        bake(bake_irradiance, "irradiance", reason, sh9 ? "coefficients" : "cube map",
+             sh9 ? "texels" : "pairs of texels", lighting::irradiance_cost(size, needs.form));
     }
     if (!needs.brdf.empty()) {
         const std::size_t pairs = needs.brdf.size();
-        bake("brdf map", std::to_string(pairs) + (pairs == 1 ? " pair" : " pairs") + " of distribution and geometry",
+        bake(bake_brdf, "brdf map",
+             std::to_string(pairs) + (pairs == 1 ? " pair" : " pairs") + " of distribution and geometry",
              "A, B and E_avg", "facets", lighting::brdf_cost(pairs));
     }
     return passes;

@@ -1,4 +1,5 @@
-// The plan: which passes a scene requires, in order, and why. Nothing else is computed, nothing else is allocated.
+// The plan: which passes a scene requires, in order, and why. The renderer walks this list
+// (scene/render/walk_passes.cpp): nothing else is computed, nothing else is allocated.
 #pragma once
 
 #include <cstdint>
@@ -9,41 +10,12 @@
 #include "raster/fragments.hpp"
 #include "raster/triangle_setup.hpp"
 #include "raster/vertex_stage.hpp"
+#include "scene/plan/pass.hpp"
 #include "scene/plan/shadow_plan.hpp"
 #include "scene/plan/views.hpp"
 #include "scene/scene.hpp"
 
 namespace kreda::scene {
-
-/// Memory that a pass writes. Buffers of one tile or batch exist once a thread.
-struct PlannedBuffer {
-    std::string name;
-    std::uint64_t bytes = 0;
-};
-
-/// What a pass does at most, estimated from counts: see plan_cost.hpp.
-struct PassCost {
-    std::string items;  ///< "vertices", "samples"; empty: not estimated
-    std::uint64_t count = 0;
-    double operations_each = 0.0;
-
-    [[nodiscard]] double operations() const {
-        return static_cast<double>(count) * operations_each;
-    }
-};
-
-struct PlannedPass {
-    std::string name;
-    std::string reason;  ///< what in the scene asks for it
-    std::vector<PlannedBuffer> buffers;
-    PassCost cost = {};
-};
-
-/// A pass that this scene does not need, and what would need it.
-struct LeftOutPass {
-    std::string name;
-    std::string why_not;
-};
 
 struct RenderPlan {
     raster::Viewport viewport;  ///< the sample grid
@@ -64,8 +36,8 @@ struct RenderPlan {
     bool lit_by_environment = false;
     bool fog_at_vertices = false;
     bool fog_at_pixels = false;
-    std::vector<const View*> views;  ///< written beside the film
-    std::vector<PlannedPass> passes;
+    std::vector<const View*> views;   ///< written beside the film
+    std::vector<PlannedPass> passes;  ///< in the order in which they run
     std::vector<LeftOutPass> left_out;
     std::vector<std::string> notes;  ///< what is so on purpose and may surprise: a sentence each
 };

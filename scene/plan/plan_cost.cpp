@@ -1,7 +1,6 @@
 #include "scene/plan/plan_cost.hpp"
 
 #include <algorithm>
-#include <string_view>
 
 #include "lighting/microfacet_choices.hpp"
 #include "scene/plan/shadow_cost.hpp"
@@ -31,87 +30,23 @@ double cook_torrance_operations(const lighting::CookTorranceMaterial& material) 
            kCombine + compensation;
 }
 
-struct LitObjects {
-    std::uint64_t vertices = 0;
-    std::uint64_t triangles = 0;
-    double dearest_light = 0.0;  ///< of one light, by the dearest visible material
-    bool lit = false;            ///< any material that is not unlit
-};
-
-LitObjects look_at_objects(const Scene& scene) {
-    LitObjects all;
-    for (const Object& object : scene.objects) {
-        all.vertices += object.mesh->positions.size();
-        all.triangles += object.mesh->triangle_count();
-        for (const int m : object.part_material) {
-            const lighting::Material& material = scene.materials[static_cast<std::size_t>(m)];
-            all.dearest_light = std::max(all.dearest_light, reflection_operations(material));
-            all.lit |= material.model != ReflectionModel::unlit;
-        }
-    }
-    return all;
-}
-
-/// Lighting one point: directions and sums, and every light that is on.
-double lighting_operations(const Scene& scene, const RenderPlan& plan, const LitObjects& objects) {
-    constexpr double kWithoutLights = 6.0;               // ambient, the sum
-    constexpr double kDirections = kUnit + 3.0 + kUnit;  // n, v
-    if (!objects.lit) return kWithoutLights;
-    double operations = kWithoutLights + kDirections;
-    for (const PlannedShadow& shadow : plan.shadows) operations += shadow_look_up_operations(scene, shadow);
-    for (const lighting::Light& light : scene.lights) {
-        if (light.on) operations += light_operations(light) + objects.dearest_light;
-    }
-    return operations;
-}
-
 double fog_operations(const lighting::Fog& fog) {
     const double distance = 10.0;
     return distance + (fog.mode == lighting::FogMode::linear ? 6.0 : kExpOperations + 3.0);
 }
 
-double interpolation_operations(const RenderPlan& plan) {
-    const raster::FragmentNeeds& needs = plan.fragment;
-    const int numbers = 3 * (needs.position + needs.normal + needs.color) + 2 * needs.uv + needs.fog;
-    return 13.0 + 5.0 * numbers;  // weights, then three products and two sums a number
+/// Where light is computed, how often, and what that takes at each of these points.
+PassCost at_lit_points(const RenderPlan& plan, const PlanCounts& counts, double operations) {
+    switch (plan.frequency) {
+        case ShadingFrequency::phong: return {"samples", counts.samples, operations};
+        case ShadingFrequency::gouraud: return {"vertices", counts.vertices, operations * (plan.two_sided ? 2.0 : 1.0)};
+        case ShadingFrequency::flat: return {"triangles", counts.triangles, operations};
+    }
+    return {};
 }
 
-double vertex_operations(const RenderPlan& plan) {
-    constexpr double kProject = kMatrixTimesPoint + 25.0;  // clip, inside the view?, divide, snap
-    return kProject + 18.0 * plan.vertex.position_world + 15.0 * plan.vertex.normal_world;
-}
-
-/// Reading the maps of one material at one point, each trilinear: eight texels of three numbers.
-double map_operations(const PlannedPass& pass) {
-    constexpr double kLevel = 25.0, kTrilinear = 90.0;
-    return kLevel + kTrilinear * static_cast<double>(pass.buffers.size());
-}
-
-/// Where light is computed, and how often.
-const char* lit_points(const RenderPlan& plan) {
-    if (plan.frequency == ShadingFrequency::phong) return "samples";
-    return plan.frequency == ShadingFrequency::gouraud ? "vertices" : "triangles";
-}
-
-std::uint64_t lit_count(const RenderPlan& plan, const LitObjects& objects, std::uint64_t samples) {
-    if (plan.frequency == ShadingFrequency::phong) return samples;
-    return plan.frequency == ShadingFrequency::gouraud ? objects.vertices : objects.triangles;
-}
-
-bool is_baked(const PlannedPass& pass) {
-    return pass.name.starts_with("bake ");
-}
-
-/// The environment at one point: E for every lit material, P, A and B for those with a highlight; or samples of the
-/// integral.
-double environment_operations(const Scene& scene, const RenderPlan& plan) {
-    constexpr double kCubeTap = 35.0, kFourTexels = 28.0, kTurn = 6.0, kDiffuse = 15.0;
-    constexpr double kIrradiance = kTurn + kCubeTap + kFourTexels + kDiffuse;
-    constexpr double kSpecular = kTurn + 2.0 * (kCubeTap + kFourTexels) + 22.0 + kFourTexels + 45.0;
-    constexpr double kSample = 200.0;  // a direction, a look-up, D, G, F, two densities and the sums
-    const int reference = scene.environment.reference;
-    if (reference > 0) return static_cast<double>(reference) * 3.0 * kSample;
-    return kIrradiance + (plan.environment.blurred ? kSpecular : 0.0);
+bool is_of_frame(const PlannedPass& pass) {
+    return pass.scope != PassScope::once;
 }
 
 }  // namespace
@@ -142,45 +77,121 @@ double light_operations(const lighting::Light& light) {
     return 0.0;
 }
 
-void estimate_costs(const Scene& scene, RenderPlan& plan) {
-    const LitObjects objects = look_at_objects(scene);
-    const auto samples =
-        static_cast<std::uint64_t>(plan.viewport.width) * static_cast<std::uint64_t>(plan.viewport.height);
-    const auto pixels = static_cast<std::uint64_t>(scene.image.width) * static_cast<std::uint64_t>(scene.image.height);
-    const double lighting = lighting_operations(scene, plan, objects);
-    const double n2 = static_cast<double>(plan.samples) * plan.samples;
-    const std::vector<std::pair<std::string_view, PassCost>> known = {
-        {"vertices", {"vertices", objects.vertices, vertex_operations(plan)}},
-        {"light vertices", {"vertices", objects.vertices, lighting * (plan.two_sided ? 2.0 : 1.0)}},
-        {"fog at vertices", {"vertices", objects.vertices, fog_operations(scene.fog)}},
-        {"triangles", {"triangles", objects.triangles, 60.0}},
-        {"sides", {"triangles", objects.triangles, plan.frequency == ShadingFrequency::flat ? 0.0 : 35.0}},
-        {"light triangles", {"triangles", objects.triangles, lighting + 12.0}},
-        {"visibility", {"samples", samples, 14.0}},
-        {"interpolate", {"samples", samples, interpolation_operations(plan)}},
-        {"light pixels", {"samples", samples, lighting}},
-        {"environment", {lit_points(plan), lit_count(plan, objects, samples), environment_operations(scene, plan)}},
-        {"fog at pixels", {"samples", samples, fog_operations(scene.fog)}},
-        {"mix fog", {"samples", samples, 10.0}},
-        {"film", {"pixels", pixels, plan.samples == 1 ? 0.0 : 3.0 * n2}},
-    };
-    for (PlannedPass& pass : plan.passes) {
-        const auto found =
-            std::find_if(known.begin(), known.end(), [&](const auto& entry) { return entry.first == pass.name; });
-        if (found != known.end()) pass.cost = found->second;
-        if (pass.name.starts_with("maps of ")) pass.cost = {"samples", samples, map_operations(pass)};
+PlanCounts count(const Scene& scene, const RenderPlan& plan) {
+    PlanCounts counts;
+    for (const Object& object : scene.objects) {
+        counts.vertices += object.mesh->positions.size();
+        counts.triangles += object.mesh->triangle_count();
+        for (const int m : object.part_material) {
+            const lighting::Material& material = scene.materials[static_cast<std::size_t>(m)];
+            counts.dearest_reflection = std::max(counts.dearest_reflection, reflection_operations(material));
+        }
     }
+    counts.samples = static_cast<std::uint64_t>(plan.viewport.width) * static_cast<std::uint64_t>(plan.viewport.height);
+    counts.pixels = static_cast<std::uint64_t>(scene.image.width) * static_cast<std::uint64_t>(scene.image.height);
+    return counts;
+}
+
+PassCost vertex_cost(const RenderPlan& plan, const PlanCounts& counts) {
+    constexpr double kProject = kMatrixTimesPoint + 25.0;  // clip, inside the view?, divide, snap
+    return {"vertices", counts.vertices,
+            kProject + 18.0 * plan.vertex.position_world + 15.0 * plan.vertex.normal_world};
+}
+
+PassCost vertex_fog_cost(const Scene& scene, const PlanCounts& counts) {
+    return {"vertices", counts.vertices, fog_operations(scene.fog)};
+}
+
+PassCost triangle_cost(const PlanCounts& counts) {
+    return {"triangles", counts.triangles, 60.0};
+}
+
+PassCost side_cost(const PlanCounts& counts) {
+    return {"triangles", counts.triangles, 35.0};
+}
+
+PassCost visibility_cost(const PlanCounts& counts) {
+    return {"samples", counts.samples, 14.0};
+}
+
+PassCost interpolation_cost(const RenderPlan& plan, const PlanCounts& counts) {
+    const raster::FragmentNeeds& needs = plan.fragment;
+    const int numbers = 3 * (needs.position + needs.normal + needs.color) + 2 * needs.uv + needs.fog;
+    return {"samples", counts.samples, 13.0 + 5.0 * numbers};  // weights, then three products and two sums a number
+}
+
+PassCost copy_cost(const PlanCounts& counts) {
+    return {"samples", counts.samples, 0.0};
+}
+
+PassCost fog_cost(const Scene& scene, const PlanCounts& counts) {
+    return {"samples", counts.samples, fog_operations(scene.fog)};
+}
+
+PassCost mix_fog_cost(const PlanCounts& counts) {
+    return {"samples", counts.samples, 10.0};
+}
+
+PassCost film_cost(const RenderPlan& plan, const PlanCounts& counts) {
+    const double n2 = static_cast<double>(plan.samples) * plan.samples;
+    return {"pixels", counts.pixels, plan.samples == 1 ? 0.0 : 3.0 * n2};
+}
+
+/// What there is without lights, and the sum; a flat triangle's centroid is found, too.
+PassCost sum_cost(const RenderPlan& plan, const PlanCounts& counts) {
+    return at_lit_points(plan, counts, 6.0 + (plan.frequency == ShadingFrequency::flat ? 12.0 : 0.0));
+}
+
+/// n and v.
+PassCost surface_cost(const RenderPlan& plan, const PlanCounts& counts) {
+    return at_lit_points(plan, counts, kUnit + 3.0 + kUnit);
+}
+
+/// Reading the maps of one material, each trilinear: eight texels of three numbers.
+PassCost map_cost(const RenderPlan& plan, const PlanCounts& counts, std::size_t maps) {
+    constexpr double kLevel = 25.0, kTrilinear = 90.0;
+    return at_lit_points(plan, counts, kLevel + kTrilinear * static_cast<double>(maps));
+}
+
+/// E for every lit material, P, A and B for those with a highlight; or samples of the integral.
+PassCost environment_light_cost(const Scene& scene, const RenderPlan& plan, const PlanCounts& counts) {
+    constexpr double kCubeTap = 35.0, kFourTexels = 28.0, kTurn = 6.0, kDiffuse = 15.0;
+    constexpr double kIrradiance = kTurn + kCubeTap + kFourTexels + kDiffuse;
+    constexpr double kSpecular = kTurn + 2.0 * (kCubeTap + kFourTexels) + 22.0 + kFourTexels + 45.0;
+    constexpr double kSample = 200.0;  // a direction, a look-up, D, G, F, two densities and the sums
+    const int reference = scene.environment.reference;
+    if (reference > 0) return at_lit_points(plan, counts, static_cast<double>(reference) * 3.0 * kSample);
+    return at_lit_points(plan, counts, kIrradiance + (plan.environment.blurred ? kSpecular : 0.0));
+}
+
+PassCost light_cost(const Scene& scene, const RenderPlan& plan, const PlanCounts& counts, int light) {
+    double operations = light_operations(scene.lights[static_cast<std::size_t>(light)]) + counts.dearest_reflection;
+    for (const PlannedShadow& shadow : plan.shadows) {
+        if (shadow.light == light) operations += shadow_look_up_operations(scene, shadow);
+    }
+    return at_lit_points(plan, counts, operations);
+}
+
+double operations_of(const RenderPlan& plan, std::string_view name) {
+    const auto found = std::find_if(plan.passes.begin(), plan.passes.end(),
+                                    [&](const PlannedPass& pass) { return pass.name == name; });
+    if (found == plan.passes.end()) return 0.0;
+    double sum = found->cost.operations();
+    for (auto pass = found + 1; pass != plan.passes.end() && pass->scope == PassScope::points; ++pass) {
+        sum += pass->cost.operations();
+    }
+    return sum;
 }
 
 double baking_operations(const RenderPlan& plan) {
     double sum = 0.0;
-    for (const PlannedPass& pass : plan.passes) sum += is_baked(pass) ? pass.cost.operations() : 0.0;
+    for (const PlannedPass& pass : plan.passes) sum += is_of_frame(pass) ? 0.0 : pass.cost.operations();
     return sum;
 }
 
 double total_operations(const RenderPlan& plan) {
     double sum = 0.0;
-    for (const PlannedPass& pass : plan.passes) sum += is_baked(pass) ? 0.0 : pass.cost.operations();
+    for (const PlannedPass& pass : plan.passes) sum += is_of_frame(pass) ? pass.cost.operations() : 0.0;
     return sum;
 }
 

@@ -7,10 +7,22 @@
 // what a frame takes on a machine is measured by `kreda render --time`.
 #pragma once
 
+#include <string_view>
+
 #include "lighting/material.hpp"
 #include "scene/plan/plan.hpp"
 
 namespace kreda::scene {
+
+/// Sizes of the scene that costs and buffers depend on.
+struct PlanCounts {
+    std::uint64_t vertices = 0;
+    std::uint64_t triangles = 0;
+    std::uint64_t samples = 0;  ///< of the whole picture
+    std::uint64_t pixels = 0;
+    double dearest_reflection = 0.0;  ///< operations of one light at one point, by the dearest material that is seen
+};
+[[nodiscard]] PlanCounts count(const Scene& scene, const RenderPlan& plan);
 
 /// Operations that one material's reflection of one light takes at one point, with adding it up.
 [[nodiscard]] double reflection_operations(const lighting::Material& material);
@@ -18,8 +30,28 @@ namespace kreda::scene {
 /// Operations that sampling one light takes at one point.
 [[nodiscard]] double light_operations(const lighting::Light& light);
 
-/// Fill in PlannedPass::cost of every pass of the plan that is known here; shadows have theirs (shadow_cost.hpp).
-void estimate_costs(const Scene& scene, RenderPlan& plan);
+// The passes' costs, but for those of shadows (shadow_cost.hpp) and of baking (lighting/environment/bake_cost.hpp).
+[[nodiscard]] PassCost vertex_cost(const RenderPlan& plan, const PlanCounts& counts);
+[[nodiscard]] PassCost vertex_fog_cost(const Scene& scene, const PlanCounts& counts);
+[[nodiscard]] PassCost triangle_cost(const PlanCounts& counts);
+[[nodiscard]] PassCost side_cost(const PlanCounts& counts);
+[[nodiscard]] PassCost visibility_cost(const PlanCounts& counts);
+[[nodiscard]] PassCost interpolation_cost(const RenderPlan& plan, const PlanCounts& counts);
+[[nodiscard]] PassCost copy_cost(const PlanCounts& counts);
+[[nodiscard]] PassCost fog_cost(const Scene& scene, const PlanCounts& counts);
+[[nodiscard]] PassCost mix_fog_cost(const PlanCounts& counts);
+[[nodiscard]] PassCost film_cost(const RenderPlan& plan, const PlanCounts& counts);
+
+// Costs of light, wherever it is computed: at samples, vertices or triangles.
+[[nodiscard]] PassCost sum_cost(const RenderPlan& plan, const PlanCounts& counts);
+[[nodiscard]] PassCost surface_cost(const RenderPlan& plan, const PlanCounts& counts);
+[[nodiscard]] PassCost map_cost(const RenderPlan& plan, const PlanCounts& counts, std::size_t maps);
+[[nodiscard]] PassCost environment_light_cost(const Scene& scene, const RenderPlan& plan, const PlanCounts& counts);
+[[nodiscard]] PassCost light_cost(const Scene& scene, const RenderPlan& plan, const PlanCounts& counts, int light);
+
+/// Operations of a pass of that name together with those of the passes that it runs, batch by batch: of "light pixels"
+/// all that light takes. 0: the plan has no such pass.
+[[nodiscard]] double operations_of(const RenderPlan& plan, std::string_view pass);
 
 /// Operations of what is baked before the first frame.
 [[nodiscard]] double baking_operations(const RenderPlan& plan);

@@ -151,14 +151,14 @@ std::vector<ShadowReceiver> find_receivers(const std::vector<ObjectExtent>& exte
     return receivers;
 }
 
-std::string name_of(const lighting::Light& light, std::size_t index) {
+}  // namespace
+
+std::string name_of_light(const lighting::Light& light, std::size_t index) {
     const char* kind = light.type == lighting::LightType::directional ? "directional"
                        : light.type == lighting::LightType::point     ? "point"
                                                                       : "spot";
     return "light " + std::to_string(index) + " (" + kind + ")";
 }
-
-}  // namespace
 
 ShadowPlan plan_shadows(const Scene& scene, bool only_visible) {
     ShadowPlan plan;
@@ -181,7 +181,8 @@ ShadowPlan plan_shadows(const Scene& scene, bool only_visible) {
                                 ? fit_directional(scene.shadow, extents, casters, shadow)
                                 : fit_around(scene.shadow, casters, shadow);
         if (!needed) {
-            plan.why_not.push_back(name_of(light, i) + " has shadow = true, but nothing can cast onto what is seen");
+            plan.why_not.push_back(name_of_light(light, i) +
+                                   " has shadow = true, but nothing can cast onto what is seen");
             continue;
         }
         if (scene.shadow.method == shadows::ShadowMethod::planar) shadow.receivers = find_receivers(extents);

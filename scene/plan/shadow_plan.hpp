@@ -32,6 +32,9 @@ struct ShadowPlan {
     std::vector<std::string> why_not;    ///< one for each light with shadow = true that needs none after all
 };
 
+/// "light 2 (spot)", by its number in scene.lights.
+[[nodiscard]] std::string name_of_light(const lighting::Light& light, std::size_t index);
+
 /// `only_visible`: points outside the picture are not lit (shading.frequency = "phong"), so nothing need fall on them.
 [[nodiscard]] ShadowPlan plan_shadows(const Scene& scene, bool only_visible);
 

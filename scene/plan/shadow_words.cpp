@@ -35,12 +35,9 @@ Account account_of_map(const PlannedShadow& shadow) {
             {{"distances", faces * side * side * sizeof(float)}}};
 }
 
-/// Methods that look at all visible samples first keep them, and a factor for each.
+/// Methods that look at all visible samples first keep a factor for each.
 Account account_of_frame(std::string name, std::string how, std::uint64_t samples) {
-    constexpr std::uint64_t kSample = sizeof(float) + sizeof(glm::vec3) + sizeof(std::uint32_t);
-    return {std::move(name),
-            std::move(how),
-            {{"visible samples", samples * kSample}, {"factors", samples * sizeof(float)}}};
+    return {std::move(name), std::move(how), {{"factors", samples * sizeof(float)}}};
 }
 
 Account account_of(const Scene& scene, const PlannedShadow& shadow, std::uint64_t samples) {
@@ -78,7 +75,7 @@ PlannedPass pass_of(const Scene& scene, const PlannedShadow& shadow, const raste
     return {account.name + " of light " + std::to_string(shadow.light),
             "shadow = true: " + std::to_string(shadow.casters.size()) + " of " + std::to_string(scene.objects.size()) +
                 " objects can cast onto what is seen; " + account.how,
-            std::move(account.buffers), shadow_pass_cost(scene, shadow, samples)};
+            std::move(account.buffers), shadow_pass_cost(scene, shadow, samples), PassScope::frame};
 }
 
 }  // namespace kreda::scene

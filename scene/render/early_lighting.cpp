@@ -5,8 +5,11 @@
 
 #include <glm/geometric.hpp>
 
+#include "scene/plan/pass_functions.hpp"
+#include "scene/render/pass_work.hpp"
 #include "scene/render/render.hpp"
 #include "scene/render/shade.hpp"
+#include "scene/render/threads.hpp"
 
 namespace kreda::scene {
 
@@ -14,24 +17,21 @@ namespace {
 
 using raster::kBatchCapacity;
 
-/// A batch and its channels, for one thread.
-struct LightingScratch {
-    raster::Fragments points;
-    lighting::LightingChannels channels;
-};
-
-/// Call work(begin, count, scratch) for 0 .. total in steps of a batch, in parallel.
+/// Call work(begin, count, scratch) for 0 .. total in steps of a batch, in parallel. `pass` is told how long it took.
 template <class Work>
-void for_each_batch(int total, Work work) {
+void for_each_batch(const PassWork& pass, int total, Work work) {
     constexpr int kWorthThreads = 8 * kBatchCapacity;
+    const std::size_t number = number_of(pass.frame, pass.pass);
 #pragma omp parallel if (total > kWorthThreads)
     {
-        const auto scratch = std::make_unique<LightingScratch>();
+        TileScratch& scratch = *pass.frame.buffers.scratch[static_cast<std::size_t>(thread_number())];
+        scratch.clock.start();
 #pragma omp for schedule(dynamic)
         for (int begin = 0; begin < total; begin += kBatchCapacity) {
             const int count = std::min(kBatchCapacity, total - begin);
-            scratch->points.count = count;
-            work(begin, count, *scratch);
+            scratch.fragments.count = count;
+            work(begin, count, scratch);
+            scratch.clock.lap(number);
         }
     }
 }
@@ -51,32 +51,31 @@ VertexRange vertices_of_part(const raster::Mesh& mesh, const raster::MeshPart& p
 }
 
 /// Light the vertices of a range on one side of the surface.
-void light_range(const Frame& frame, std::uint32_t material, std::uint32_t first, int total, bool behind,
+void light_range(const PassWork& work, std::uint32_t material, std::uint32_t first, int total, bool behind,
                  std::vector<glm::vec3>& color) {
-    for_each_batch(total, [&](int begin, int count, LightingScratch& scratch) {
+    for_each_batch(work, total, [&](int begin, int count, TileScratch& scratch) {
         const std::uint32_t from = first + static_cast<std::uint32_t>(begin);
-        set_vertex_points(frame, from, count, behind, scratch.points);
-        shade_points(frame, scratch.points, material, scratch.channels);
-        for (int i = 0; i < count; ++i) color[from + i] = scratch.channels.radiance.at(i);
+        set_vertex_points(work.frame, from, count, behind, scratch.fragments);
+        shade_points(work.frame, scratch.fragments, material, scratch.lighting, scratch);
+        for (int i = 0; i < count; ++i) color[from + i] = scratch.lighting.radiance.at(i);
     });
 }
 
 /// Flat colours of one chunk of triangles (they share a material).
 void light_chunk(const Frame& frame, const raster::TriangleChunk& chunk, std::vector<glm::vec3>& color,
-                 LightingScratch& scratch) {
+                 TileScratch& scratch) {
     const int total = static_cast<int>(chunk.triangles.size());
     const float orientation = orientation_of(frame.buffers.instances[chunk.instance].world_from_object);
-    color.resize(chunk.triangles.size());
     for (int begin = 0; begin < total; begin += kBatchCapacity) {
         const int count = std::min(kBatchCapacity, total - begin);
         for (int i = 0; i < count; ++i) {
             const raster::ScreenTriangle& triangle = chunk.triangles[begin + i];
             const bool behind = frame.plan.two_sided && triangle.behind;
-            set_flat_point(frame.buffers, chunk, triangle, orientation, behind, i, scratch.points);
+            set_flat_point(frame.buffers, chunk, triangle, orientation, behind, i, scratch.fragments);
         }
-        scratch.points.count = count;
-        shade_points(frame, scratch.points, chunk.triangles[0].material, scratch.channels);
-        for (int i = 0; i < count; ++i) color[begin + i] = scratch.channels.radiance.at(i);
+        scratch.fragments.count = count;
+        shade_points(frame, scratch.fragments, chunk.triangles[0].material, scratch.lighting, scratch);
+        for (int i = 0; i < count; ++i) color[begin + i] = scratch.lighting.radiance.at(i);
     }
 }
 
@@ -152,41 +151,43 @@ void set_flat_point(const RenderBuffers& buffers, const raster::TriangleChunk& c
     if (behind) turn_point(i, points);
 }
 
-void light_vertices(const Frame& frame) {
-    raster::VertexStreams& streams = frame.buffers.streams;
-    for (const raster::MeshInstance& instance : frame.buffers.instances) {
+void light_vertices(const PassWork& work) {
+    const RenderBuffers& buffers = work.frame.buffers;
+    raster::VertexStreams& streams = work.frame.buffers.streams;
+    for (const raster::MeshInstance& instance : buffers.instances) {
         for (std::size_t p = 0; p < instance.mesh->parts.size(); ++p) {
             const VertexRange range = vertices_of_part(*instance.mesh, instance.mesh->parts[p]);
             const auto material = static_cast<std::uint32_t>(instance.part_material[p]);
             const std::uint32_t first = instance.first_vertex + range.first;
             const int count = static_cast<int>(range.end - range.first);
-            light_range(frame, material, first, count, false, streams.color);
-            if (frame.plan.two_sided) light_range(frame, material, first, count, true, streams.color_behind);
+            light_range(work, material, first, count, false, streams.color);
+            if (work.frame.plan.two_sided) light_range(work, material, first, count, true, streams.color_behind);
         }
     }
 }
 
-void fog_vertices(const Frame& frame) {
-    raster::VertexStreams& streams = frame.buffers.streams;
-    for_each_batch(static_cast<int>(streams.fog.size()), [&](int begin, int count, LightingScratch& scratch) {
-        for (int i = 0; i < count; ++i) scratch.points.position.set(i, streams.position_world[begin + i]);
-        fog_factors(scratch.points, frame.lighting, scratch.channels);
-        for (int i = 0; i < count; ++i) streams.fog[begin + i] = scratch.channels.fog.at(i);
+void fog_vertices(const PassWork& work) {
+    raster::VertexStreams& streams = work.frame.buffers.streams;
+    for_each_batch(work, static_cast<int>(streams.fog.size()), [&](int begin, int count, TileScratch& scratch) {
+        for (int i = 0; i < count; ++i) scratch.fragments.position.set(i, streams.position_world[begin + i]);
+        lighting::fog_factors(scratch.fragments, work.frame.lighting, scratch.lighting);
+        for (int i = 0; i < count; ++i) streams.fog[begin + i] = scratch.lighting.fog.at(i);
     });
 }
 
-void light_triangles(const Frame& frame) {
-    RenderBuffers& buffers = frame.buffers;
+void light_triangles(const PassWork& work) {
+    RenderBuffers& buffers = work.frame.buffers;
     const int chunk_count = static_cast<int>(buffers.triangles.chunks.size());
-    buffers.flat_color.resize(buffers.triangles.chunks.size());
+    const std::size_t number = number_of(work.frame, work.pass);
 #pragma omp parallel if (chunk_count > 1)
     {
-        const auto scratch = std::make_unique<LightingScratch>();
+        TileScratch& scratch = *buffers.scratch[static_cast<std::size_t>(thread_number())];
+        scratch.clock.start();
 #pragma omp for schedule(dynamic)
         for (int i = 0; i < chunk_count; ++i) {
             const raster::TriangleChunk& chunk = buffers.triangles.chunks[i];
-            if (chunk.triangles.empty()) continue;
-            light_chunk(frame, chunk, buffers.flat_color[i], *scratch);
+            if (!chunk.triangles.empty()) light_chunk(work.frame, chunk, buffers.flat_color[i], scratch);
+            scratch.clock.lap(number);
         }
     }
 }

@@ -1,20 +1,11 @@
-// Lighting before rasterization: at the vertices (Gouraud) or once a triangle (flat), and fog at the vertices.
+// Lighting before rasterization: at the vertices (Gouraud) or once a triangle (flat), and fog at the vertices. The
+// passes light_vertices, light_triangles and fog_vertices are listed in scene/plan/pass_functions.hpp.
 #pragma once
 
 #include "raster/triangle_setup.hpp"
 #include "scene/render/frame.hpp"
 
 namespace kreda::scene {
-
-/// Gouraud: light every vertex, into streams.color; where the plan is two-sided, with its normal turned, too, into
-/// streams.color_behind.
-void light_vertices(const Frame& frame);
-
-/// Fog factor of every vertex, into streams.fog.
-void fog_vertices(const Frame& frame);
-
-/// Flat: light every triangle that reached the tiles once, at its centroid with its own normal, into flat_color.
-void light_triangles(const Frame& frame);
 
 /// Vertices of the streams, from `first` on, as points 0 .. count-1 of a batch that is lit. Maps are read there, at
 /// level 0: a vertex has no neighbour that would say how far the texture is stretched.

@@ -5,6 +5,8 @@
 
 #include <glm/matrix.hpp>
 
+#include "scene/plan/pass_functions.hpp"
+#include "scene/render/pass_work.hpp"
 #include "scene/render/render.hpp"
 #include "scene/render/shadow_pass.hpp"
 #include "shadows/irregular.hpp"
@@ -81,25 +83,26 @@ std::vector<shadows::VolumeCaster> find_volume_casters(const Frame& frame, const
     return casters;
 }
 
-void find_frame_shadows(const Frame& frame, const glm::mat4& clip_from_world) {
-    RenderBuffers& buffers = frame.buffers;
-    find_visible(buffers.streams, buffers.triangles, frame.plan.interpolation, frame.plan.viewport, clip_from_world,
-                 buffers.visible);
-    buffers.shadows.resize(frame.plan.shadows.size());
-    for (std::size_t i = 0; i < frame.plan.shadows.size(); ++i) {
-        const PlannedShadow& planned = frame.plan.shadows[i];
-        const Occluders occluders = find_occluders(frame, planned.casters);
-        std::vector<float>& factor = buffers.shadows[i].factor;
-        factor.assign(buffers.visible.depth.size(), 1.0f);
-        switch (planned.map.settings.method) {
-            case shadows::ShadowMethod::planar: find_planar(frame, planned, occluders, factor); break;
-            case shadows::ShadowMethod::volume: find_volume_shadow(frame, planned, occluders, factor); break;
-            case shadows::ShadowMethod::irregular:
-                irregular_shadow(occluders.list, planned.source, buffers.visible.samples(), factor);
-                break;
-            case shadows::ShadowMethod::map:
-            case shadows::ShadowMethod::exact: break;  // asked point by point
-        }
+void find_visible_samples(const PassWork& work) {
+    const Frame& frame = work.frame;
+    shadows::find_visible(frame.buffers.streams, frame.buffers.triangles, frame.plan.interpolation, frame.plan.viewport,
+                          frame.clip_from_world, frame.buffers.visible);
+}
+
+void find_frame_shadow(const PassWork& work) {
+    const Frame& frame = work.frame;
+    const PlannedShadow& planned = frame.plan.shadows[static_cast<std::size_t>(work.pass.index)];
+    const Occluders occluders = find_occluders(frame, planned.casters);
+    std::vector<float>& factor = frame.buffers.shadows[static_cast<std::size_t>(work.pass.index)].factor;
+    factor.assign(frame.buffers.visible.depth.size(), 1.0f);
+    switch (planned.map.settings.method) {
+        case shadows::ShadowMethod::planar: find_planar(frame, planned, occluders, factor); break;
+        case shadows::ShadowMethod::volume: find_volume_shadow(frame, planned, occluders, factor); break;
+        case shadows::ShadowMethod::irregular:
+            irregular_shadow(occluders.list, planned.source, frame.buffers.visible.samples(), factor);
+            break;
+        case shadows::ShadowMethod::map:
+        case shadows::ShadowMethod::exact: break;  // asked point by point
     }
 }
 

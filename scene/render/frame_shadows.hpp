@@ -1,4 +1,5 @@
-// Shadows that are found for all visible samples of a frame at once: planar, volume, irregular.
+// Shadows that are found for all visible samples of a frame at once: planar, volume, irregular. The passes are
+// find_visible_samples() and find_frame_shadow(): one factor a sample in the memory of a planned shadow.
 #pragma once
 
 #include <vector>
@@ -20,9 +21,5 @@ struct Occluders {
 /// The same for shadow volumes, each with its vertices in the camera's clip space.
 [[nodiscard]] std::vector<shadows::VolumeCaster> find_volume_casters(const Frame& frame, const PlannedShadow& planned,
                                                                      const Occluders& occluders);
-
-/// After the triangles are set up and before anything is lit: one factor a sample in the memory of each of the plan's
-/// shadows.
-void find_frame_shadows(const Frame& frame, const glm::mat4& clip_from_world);
 
 }  // namespace kreda::scene

@@ -1,58 +1,19 @@
 #include "scene/render/render.hpp"
 
-#if defined(_OPENMP)
-#include <omp.h>
-#endif
+#include <algorithm>
 
+#include "scene/plan/pass_functions.hpp"
 #include "scene/render/debug_pixel.hpp"
-#include "scene/render/early_lighting.hpp"
-#include "scene/render/frame_shadows.hpp"
+#include "scene/render/frame_done.hpp"
 #include "scene/render/shadow_pass.hpp"
-#include "scene/render/sides.hpp"
 #include "scene/render/stopwatch.hpp"
+#include "scene/render/threads.hpp"
 #include "scene/render/tile_pass.hpp"
-#include "scene/render/visibility_check.hpp"
+#include "scene/render/walk_passes.hpp"
 
 namespace kreda::scene {
 
 namespace {
-
-int thread_count() {
-#if defined(_OPENMP)
-    return omp_get_max_threads();
-#else
-    return 1;
-#endif
-}
-
-int thread_number() {
-#if defined(_OPENMP)
-    return omp_get_thread_num();
-#else
-    return 0;
-#endif
-}
-
-/// Sets the number of threads for the length of a frame.
-class ThreadLimit {
-public:
-    explicit ThreadLimit(int threads) : before_(thread_count()) {
-        set(threads > 0 ? threads : before_);
-    }
-    ~ThreadLimit() {
-        set(before_);
-    }
-    ThreadLimit(const ThreadLimit&) = delete;
-    ThreadLimit& operator=(const ThreadLimit&) = delete;
-
-private:
-    static void set([[maybe_unused]] int threads) {
-#if defined(_OPENMP)
-        omp_set_num_threads(threads);
-#endif
-    }
-    int before_;
-};
 
 std::vector<raster::MeshInstance> make_instances(const Scene& scene) {
     std::vector<raster::MeshInstance> instances;
@@ -75,19 +36,27 @@ std::vector<lighting::LightSetup> make_lights(const Scene& scene) {
     return lights;
 }
 
-/// Baking belongs to loading, not to the frame.
-void bake_if_missing(const Scene& scene, const RenderPlan& plan, RenderBuffers& buffers) {
-    if (!plan.environment.any()) return;
+/// Take the maps that are there, or make the passes bake them.
+void begin_baking(const Scene& scene, const RenderPlan& plan, RenderBuffers& buffers) {
     const auto usable = [&](const PreparedEnvironment* prepared) {
         return prepared && serves(*prepared, scene.environment, plan.environment);
     };
-    if (usable(buffers.environment.get())) return;
+    if (!plan.environment.any() || usable(buffers.environment.get())) return;
     if (usable(scene.environment.prepared.get())) {
         buffers.environment = scene.environment.prepared;
         return;
     }
-    buffers.environment =
-        std::make_shared<PreparedEnvironment>(prepare_environment(scene.environment, plan.environment));
+    const EnvironmentSettings& settings = scene.environment;
+    buffers.baking = std::make_unique<Baking>();
+    buffers.baking->prepared = std::make_shared<PreparedEnvironment>(
+        PreparedEnvironment{settings.image, settings.sky, settings.samples, plan.environment, {}});
+}
+
+void end_baking(const Scene& scene, RenderBuffers& buffers) {
+    if (!buffers.baking) return;
+    add_light_table(scene.environment, buffers.baking->prepared->maps);
+    buffers.environment = std::move(buffers.baking->prepared);
+    buffers.baking.reset();
 }
 
 lighting::LightingSetup make_lighting(const Scene& scene, const RenderPlan& plan, const RenderBuffers& buffers,
@@ -106,13 +75,11 @@ lighting::LightingSetup make_lighting(const Scene& scene, const RenderPlan& plan
 }
 
 /// One TileScratch a thread, times and counts at zero.
-void prepare_scratch(RenderBuffers& buffers) {
+void prepare_scratch(const RenderPlan& plan, RenderBuffers& buffers) {
     buffers.scratch.resize(static_cast<std::size_t>(thread_count()));
     for (std::unique_ptr<TileScratch>& scratch : buffers.scratch) {
         if (!scratch) scratch = std::make_unique<TileScratch>();
-        scratch->visibility_ms = scratch->interpolation_ms = scratch->lighting_ms = scratch->film_ms = 0.0;
-        scratch->samples_shaded = 0;
-        scratch->color_is_background = false;
+        prepare_scratch(plan, *scratch);
     }
 }
 
@@ -132,44 +99,22 @@ void prepare_pictures(const Scene& scene, const RenderPlan& plan, RenderBuffers&
     }
 }
 
-/// The tile with the pixel that a debugger wants to see is drawn first, so that nobody waits for the others; -1: there
-/// is none.
-int tile_to_debug(const Frame& frame) {
-    if (debug_pixel.x < 0) return -1;
-    const raster::TileGrid& grid = frame.buffers.triangles.grid;
-    for (int t = 0; t < grid.columns * grid.rows; ++t) {
-        if (sample_to_debug(tile_area(grid, frame.plan.viewport, t), frame.plan.samples).x >= 0) return t;
-    }
-    return -1;
+/// Everything that the passes write has its place before the first of them runs.
+void prepare_buffers(const Scene& scene, const RenderPlan& plan, RenderBuffers& buffers) {
+    buffers.instances = make_instances(scene);
+    lay_out_vertices(buffers.instances, plan.vertex, buffers.streams);
+    buffers.triangles.grid = raster::make_tile_grid(plan.viewport, plan.samples);
+    buffers.triangles.chunks.resize(scene.objects.empty() ? 0 : buffers.triangles.chunks.size());
+    buffers.shadows.resize(plan.shadows.size());
+    prepare_pictures(scene, plan, buffers);
 }
 
-void render_tiles(const Frame& frame) {
-    const int tile_count = frame.buffers.triangles.grid.columns * frame.buffers.triangles.grid.rows;
-    const std::vector<int>& order = frame.buffers.tile_order;
-    const int first = tile_to_debug(frame);
-    if (first >= 0) render_tile(frame, first, *frame.buffers.scratch[0]);
-#pragma omp parallel for schedule(dynamic)
-    for (int t = 0; t < tile_count; ++t) {
-        const int tile = order.empty() ? t : order[static_cast<std::size_t>(t)];
-        if (tile == first) continue;
-        render_tile(frame, tile, *frame.buffers.scratch[static_cast<std::size_t>(thread_number())]);
-    }
-}
-
-void add_tile_times(const RenderBuffers& buffers, RenderStatistics& statistics) {
-    double visibility = 0.0, interpolation = 0.0, light = 0.0, film = 0.0;
-    for (const std::unique_ptr<TileScratch>& scratch : buffers.scratch) {
-        visibility += scratch->visibility_ms;
-        interpolation += scratch->interpolation_ms;
-        light += scratch->lighting_ms;
-        film += scratch->film_ms;
-        statistics.samples_shaded += scratch->samples_shaded;
-    }
-    const double threads = static_cast<double>(buffers.scratch.size());
-    statistics.times.stages.emplace_back("visibility", visibility / threads);
-    statistics.times.stages.emplace_back("interpolate", interpolation / threads);
-    statistics.times.stages.emplace_back("shade", light / threads);
-    statistics.times.stages.emplace_back("film", film / threads);
+std::size_t pass_that_lights(const RenderPlan& plan) {
+    const auto lights = [](const PlannedPass& pass) {
+        return pass.run == light_samples || pass.run == light_vertices || pass.run == light_triangles;
+    };
+    const auto found = std::find_if(plan.passes.begin(), plan.passes.end(), lights);
+    return static_cast<std::size_t>(found - plan.passes.begin());
 }
 
 }  // namespace
@@ -187,56 +132,33 @@ RenderStatistics render(const Scene& scene, const RenderPlan& plan, RenderBuffer
                         const std::function<void(const Frame&)>& look) {
     picture_begins(scene.image.width, scene.image.height);
     const ThreadLimit limit(threads);
-    bake_if_missing(scene, plan, buffers);
     RenderStatistics statistics;
+    lighting::LightingSetup lighting;
+    prepare_scratch(plan, buffers);
+    const Frame frame{scene,
+                      plan,
+                      lighting,
+                      buffers,
+                      statistics,
+                      raster::clip_from_world(scene.camera, raster::aspect_of(scene.image.width, scene.image.height)),
+                      find_tile_passes(plan),
+                      find_lighting_passes(plan),
+                      pass_that_lights(plan)};
+    begin_baking(scene, plan, buffers);
+    walk_baking(frame, statistics.times);
+    end_baking(scene, buffers);
+
     Stopwatch total;
-    Stopwatch watch;
-    const auto lap = [&](const char* stage) { statistics.times.stages.emplace_back(stage, watch.lap_ms()); };
-
-    const float aspect = raster::aspect_of(scene.image.width, scene.image.height);
-    const glm::mat4 clip_from_world = raster::clip_from_world(scene.camera, aspect);
     const std::vector<lighting::LightSetup> lights = make_lights(scene);
-    const lighting::LightingSetup lighting = make_lighting(scene, plan, buffers, lights);
-    buffers.instances = make_instances(scene);
-    prepare_scratch(buffers);
-    prepare_pictures(scene, plan, buffers);
-    const Frame frame{scene, plan, lighting, buffers};
-
-    lay_out_vertices(buffers.instances, plan.vertex, buffers.streams);
-    transform_vertices(buffers.instances, clip_from_world, plan.viewport, buffers.streams);
-    lap("vertices");
-    if (!plan.shadows.empty() && !plan.shadows_by_frame) {
-        prepare_shadows(frame);
-        lap(scene.shadow.method == shadows::ShadowMethod::map ? "shadow maps" : "shadow tree");
+    lighting = make_lighting(scene, plan, buffers, lights);
+    prepare_buffers(scene, plan, buffers);
+    walk_frame(frame, statistics.times);
+    for (const std::unique_ptr<TileScratch>& scratch : buffers.scratch) {
+        statistics.samples_shaded += scratch->samples_shaded;
     }
-    if (plan.vertex.color) {
-        light_vertices(frame);
-        lap("light vertices");
-    }
-    if (plan.vertex.fog) {
-        fog_vertices(frame);
-        lap("fog vertices");
-    }
-    statistics.triangles = setup_triangles(buffers.instances, clip_from_world, plan.viewport, plan.cull, plan.samples,
-                                           buffers.streams, buffers.triangles);
-    lap("triangles");
-    if (plan.two_sided) {
-        find_sides(frame);
-        lap("sides");
-    }
-    if (plan.shadows_by_frame) {
-        find_frame_shadows(frame, clip_from_world);
-        lap("shadows");
-    }
-    if (plan.frequency == ShadingFrequency::flat) {
-        light_triangles(frame);
-        lap("light triangles");
-    }
-    render_tiles(frame);
-    add_tile_times(buffers, statistics);
     statistics.times.total_ms = total.lap_ms();
-    check_visibility_if_asked(frame);
     look(frame);
+    frame_done(frame);
     return statistics;
 }
 

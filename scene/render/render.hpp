@@ -21,6 +21,12 @@ struct Frame;
 struct ShadowMemory;
 struct TileScratch;
 
+/// Maps that are being baked by the passes of a frame, and the cube map that they are baked from.
+struct Baking {
+    lighting::CubeMap radiance;
+    std::shared_ptr<PreparedEnvironment> prepared;
+};
+
 /// The memory of a frame. Keep it from frame to frame and nothing is allocated twice.
 struct RenderBuffers {
     RenderBuffers();
@@ -37,16 +43,17 @@ struct RenderBuffers {
     std::vector<std::unique_ptr<TileScratch>> scratch;  ///< one a thread
     std::shared_ptr<const PreparedEnvironment>
         environment;                   ///< baked by the first frame that needs it, unless it is there
+    std::unique_ptr<Baking> baking;    ///< while the passes bake
     raster::Image film;                ///< linear RGB radiance, row 0 on top
     std::vector<raster::Image> views;  ///< one for each of the plan's views, as large as the film
     std::vector<int> tile_order;       ///< tests shuffle the tiles; empty: row by row
 };
 
-/// Milliseconds by stage, in the order of the pipeline; stages that run tile by tile are summed over all threads and
-/// divided by their number.
+/// Milliseconds of each pass, by the names and in the order of the plan. What threads do side by side, tile by tile and
+/// batch by batch, is measured as a whole and divided among its passes as all threads together spent their time.
 struct StageTimes {
     std::vector<std::pair<std::string, double>> stages;
-    double total_ms = 0.0;
+    double total_ms = 0.0;  ///< of the frame, without what is baked before it
 };
 
 struct RenderStatistics {

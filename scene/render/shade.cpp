@@ -1,10 +1,16 @@
 #include "scene/render/shade.hpp"
 
+#include "scene/plan/pass_functions.hpp"
+#include "scene/render/pass_work.hpp"
 #include "scene/render/shadow_pass.hpp"
 
 namespace kreda::scene {
 
 namespace {
+
+const lighting::MaterialSetup& surface_of(const PassWork& work) {
+    return work.frame.plan.materials[work.material];
+}
 
 /// Lamps do not ask for ao, but a view may.
 void show_constant_ao(int count, const lighting::MaterialSetup& surface, lighting::LightingChannels& channels) {
@@ -15,26 +21,50 @@ void show_constant_ao(int count, const lighting::MaterialSetup& surface, lightin
 }  // namespace
 
 void shade_points(const Frame& frame, const raster::Fragments& points, std::uint32_t material,
-                  lighting::LightingChannels& channels) {
+                  lighting::LightingChannels& channels, TileScratch& scratch) {
     const lighting::MaterialSetup& surface = frame.plan.materials[material];
-    start_lighting(points, surface, frame.lighting, channels);
-    if (frame.plan.lit_by_environment)
-        add_environment(points, surface, frame.lighting.environment, channels);
-    else if (!frame.plan.views.empty())
-        show_constant_ao(points.count, surface, channels);
-    if (surface.material.model != lighting::ReflectionModel::unlit) {
-        using enum lighting::LeaveChannels;
-        const bool has_views = !frame.plan.views.empty();
-        // A view, or whoever stops at one point, looks at a light's quantities even where it adds nothing.
-        const bool looked_at = has_views || points.count == 1;
-        for (std::size_t k = 0; k < frame.lighting.lights.size(); ++k) {
-            sample_light(points, frame.lighting.lights[k], channels);
-            if (!looked_at && !any_faces_light(points.count, channels)) continue;
-            if (find_shadow(frame, static_cast<int>(k), points, channels)) shadow_light(points.count, channels);
-            add_reflection(points.count, surface, has_views ? always : only_of_batches, channels);
-        }
+    lighting::start_surface(points, surface, frame.lighting, channels);
+    if (!frame.plan.lit_by_environment && !frame.plan.views.empty()) show_constant_ao(points.count, surface, channels);
+    scratch.clock.lap(frame.pass_that_lights);
+    for (const PlannedPass& pass : frame.lighting_passes) {
+        if (!works_on(pass, material)) continue;
+        pass.run({.frame = frame,
+                  .pass = pass,
+                  .scratch = scratch,
+                  .material = material,
+                  .points = &points,
+                  .channels = &channels});
+        scratch.clock.lap(number_of(frame, pass));
     }
-    sum_terms(points.count, channels);
+    lighting::sum_terms(points.count, channels);
+}
+
+void look_up_maps(const PassWork& work) {
+    lighting::apply_maps(*work.points, surface_of(work), *work.channels);
+}
+
+void find_surface(const PassWork& work) {
+    lighting::find_directions(*work.points, surface_of(work), work.frame.lighting, *work.channels);
+}
+
+void add_environment(const PassWork& work) {
+    lighting::add_environment(*work.points, surface_of(work), work.frame.lighting.environment, *work.channels);
+}
+
+void add_light(const PassWork& work) {
+    const Frame& frame = work.frame;
+    const int count = work.points->count;
+    const bool has_views = !frame.plan.views.empty();
+    lighting::sample_light(*work.points, frame.lighting.lights[static_cast<std::size_t>(work.pass.index)],
+                           *work.channels);
+    // A view, or whoever stops at one point, looks at a light's quantities even where it adds nothing.
+    const bool looked_at = has_views || count == 1;
+    if (!looked_at && !lighting::any_faces_light(count, *work.channels)) return;
+    if (find_shadow(frame, work.pass.index, *work.points, *work.channels)) {
+        lighting::shadow_light(count, *work.channels);
+    }
+    using enum lighting::LeaveChannels;
+    lighting::add_reflection(count, surface_of(work), has_views ? always : only_of_batches, *work.channels);
 }
 
 }  // namespace kreda::scene

@@ -1,6 +1,8 @@
 #include "scene/render/shadow_pass.hpp"
 
+#include "scene/plan/pass_functions.hpp"
 #include "scene/render/frame_shadows.hpp"
+#include "scene/render/pass_work.hpp"
 #include "scene/render/render.hpp"
 
 namespace kreda::scene {
@@ -17,21 +19,19 @@ void look_up(const RenderPlan& plan, const shadows::ShadowMap& map, const raster
 
 }  // namespace
 
-void prepare_shadows(const Frame& frame) {
-    frame.buffers.shadows.resize(frame.plan.shadows.size());
-    for (std::size_t i = 0; i < frame.plan.shadows.size(); ++i) {
-        const PlannedShadow& planned = frame.plan.shadows[i];
-        if (planned.map.settings.method == shadows::ShadowMethod::exact) {
-            frame.buffers.shadows[i].exact = prepare_exact(find_occluders(frame, planned.casters).list, planned.source);
-            continue;
-        }
-        std::vector<raster::MeshInstance> casters;
-        for (const int object : planned.casters) {
-            casters.push_back(frame.buffers.instances[static_cast<std::size_t>(object)]);
-        }
-        ShadowMemory& memory = frame.buffers.shadows[i];
-        draw_shadow_map(casters, planned.map, memory.drawing, memory.map);
+void prepare_shadow(const PassWork& work) {
+    const Frame& frame = work.frame;
+    const PlannedShadow& planned = frame.plan.shadows[static_cast<std::size_t>(work.pass.index)];
+    ShadowMemory& memory = frame.buffers.shadows[static_cast<std::size_t>(work.pass.index)];
+    if (planned.map.settings.method == shadows::ShadowMethod::exact) {
+        memory.exact = prepare_exact(find_occluders(frame, planned.casters).list, planned.source);
+        return;
     }
+    std::vector<raster::MeshInstance> casters;
+    for (const int object : planned.casters) {
+        casters.push_back(frame.buffers.instances[static_cast<std::size_t>(object)]);
+    }
+    draw_shadow_map(casters, planned.map, memory.drawing, memory.map);
 }
 
 bool find_shadow(const Frame& frame, int light_that_is_on, const raster::Fragments& points,

@@ -1,4 +1,6 @@
-// Shadows while a frame is drawn: first what each light sees, then for each batch of points what is in shadow.
+// Shadows while a frame is drawn: first what each light sees, then for each batch of points what is in shadow. The pass
+// prepare_shadow() draws the map, or builds the tree, of one light, for methods that answer point by point; those that
+// answer for a whole frame have scene/render/frame_shadows.hpp.
 #pragma once
 
 #include <memory>
@@ -19,10 +21,6 @@ struct ShadowMemory {
     shadows::ExactShadow exact;
     std::vector<float> factor;  ///< of every sample of the picture, by methods that find all at once
 };
-
-/// Before anything is shaded, for methods that answer point by point: draw the map, or build the tree, of every light
-/// that the plan lets cast shadows. Those that answer for a whole frame have scene/render/frame_shadows.hpp.
-void prepare_shadows(const Frame& frame);
 
 /// channels.shadow at every point for the light of that number, counted among those that are on. False (and nothing is
 /// written) if it casts none.

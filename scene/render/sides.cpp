@@ -4,6 +4,8 @@
 
 #include <glm/geometric.hpp>
 
+#include "scene/plan/pass_functions.hpp"
+#include "scene/render/pass_work.hpp"
 #include "scene/render/render.hpp"
 
 namespace kreda::scene {
@@ -41,8 +43,9 @@ bool seen_from_behind(bool behind, const glm::vec3& front_normal, const glm::vec
     return !behind;
 }
 
-void find_sides(const Frame& frame) {
-    if (frame.plan.frequency == ShadingFrequency::flat) return;
+/// Of every triangle that reached the tiles: the answer is ScreenTriangle::behind.
+void find_sides(const PassWork& work) {
+    const Frame& frame = work.frame;
     std::vector<raster::TriangleChunk>& chunks = frame.buffers.triangles.chunks;
     const int chunk_count = static_cast<int>(chunks.size());
 #pragma omp parallel for schedule(dynamic) if (chunk_count > 1)

@@ -1,9 +1,7 @@
-// Two-sided lighting: which triangles show the side that their normals point away from.
+// Two-sided lighting: which triangles show the side that their normals point away from. The pass is find_sides().
 #pragma once
 
 #include <glm/vec3.hpp>
-
-#include "scene/render/frame.hpp"
 
 namespace kreda::scene {
 
@@ -15,9 +13,5 @@ namespace kreda::scene {
 /// points away from the viewer, and where that is not clear, if the normal is not on the viewer's side of it.
 [[nodiscard]] bool seen_from_behind(bool behind, const glm::vec3& front_normal, const glm::vec3& normal,
                                     const glm::vec3& to_viewer);
-
-/// Ask that of every triangle that reached the tiles; the answer is ScreenTriangle::behind. With flat shading the
-/// normal is that of the winding, and there is nothing to ask.
-void find_sides(const Frame& frame);
 
 }  // namespace kreda::scene

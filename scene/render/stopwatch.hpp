@@ -1,7 +1,8 @@
-// Milliseconds between laps.
+// Time between laps: of passes in milliseconds, of the many small steps of a thread in ticks.
 #pragma once
 
 #include <chrono>
+#include <cstdint>
 
 namespace kreda::scene {
 
@@ -19,5 +20,14 @@ private:
     using Clock = std::chrono::steady_clock;
     Clock::time_point last_ = Clock::now();
 };
+
+/// A counter that grows evenly; asking for it takes a few nanoseconds. Only ratios of its differences mean something.
+inline std::uint64_t ticks() {
+#if defined(__x86_64__)
+    return __builtin_ia32_rdtsc();
+#else
+    return static_cast<std::uint64_t>(std::chrono::steady_clock::now().time_since_epoch().count());
+#endif
+}
 
 }  // namespace kreda::scene

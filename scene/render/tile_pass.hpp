@@ -4,8 +4,8 @@
 #include "lighting/batch/passes.hpp"
 #include "raster/fragments.hpp"
 #include "scene/render/frame.hpp"
+#include "scene/render/pass_clock.hpp"
 #include "scene/render/render.hpp"
-#include "scene/render/stopwatch.hpp"
 
 namespace kreda::scene {
 
@@ -18,22 +18,37 @@ struct TileColor {
 struct TileScratch {
     raster::TileVisibility visibility;
     raster::Run runs[raster::kTileSide * raster::kTileSide];
+    int run_count = 0;
     raster::Fragments fragments;
     lighting::LightingChannels lighting;
     TileColor color;
     bool color_is_background = false;  ///< nothing was drawn in the tile before: the next one can start with its colour
     std::vector<TileColor> views;      ///< one for each of the plan's
-    Stopwatch watch;                   ///< one for all stages of all tiles: asking the time costs some, too
-    double visibility_ms = 0.0, interpolation_ms = 0.0, lighting_ms = 0.0, film_ms = 0.0;
+    PassClock clock;
     std::uint64_t samples_shaded = 0;
 };
 
-/// Work through one tile and write its pixels to buffers.film and buffers.views.
+/// The colour of a flat triangle, lit once.
+[[nodiscard]] inline glm::vec3 flat_color_of(const RenderBuffers& buffers, std::uint32_t id) {
+    return buffers.flat_color[id >> raster::kChunkShift][id & ((1u << raster::kChunkShift) - 1)];
+}
+
+/// Work through one tile and write its pixels to buffers.film and buffers.views: run the frame's tile passes in order,
+/// those of batches batch by batch.
 void render_tile(const Frame& frame, int tile_index, TileScratch& scratch);
 
-/// One batch of a tile: interpolate, light, fog, back into scratch.color. What the passes wrote on the way stays in
-/// scratch.fragments and scratch.lighting. The runs share a material and hold at most kBatchCapacity samples.
-void work_batch(const Frame& frame, const raster::TileArea& area, const raster::Run* runs, int count,
-                TileScratch& scratch);
+/// All tiles, side by side.
+void render_tiles(const Frame& frame);
+
+/// Those of the tile passes that are walked batch by batch.
+[[nodiscard]] std::span<const PlannedPass> find_batch_passes(std::span<const PlannedPass> tile_passes);
+
+/// Run these passes on one batch of a tile. What they wrote on the way stays in scratch.fragments and
+/// scratch.lighting. The runs share a material and hold at most kBatchCapacity samples.
+void work_batch(const Frame& frame, const raster::TileArea& area, std::span<const PlannedPass> passes,
+                const raster::Run* runs, int count, TileScratch& scratch);
+
+/// Make the thread's memory ready for a frame: times and counts at zero.
+void prepare_scratch(const RenderPlan& plan, TileScratch& scratch);
 
 }  // namespace kreda::scene

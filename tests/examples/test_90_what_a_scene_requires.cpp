@@ -99,12 +99,7 @@ TEST_CASE("90_what_a_scene_requires: the numbers of the page") {
 TEST_CASE("90_what_a_scene_requires: the estimate grows with lights and samples and dearer models as it must") {
     using lighting::ReflectionModel;
     using scene::ShadingFrequency;
-    const auto light_pixels = [](const scene::Scene& scene) {
-        for (const scene::PlannedPass& pass : make_plan(scene).passes) {
-            if (pass.name == "light pixels") return pass.cost.operations();
-        }
-        return 0.0;
-    };
+    const auto light_pixels = [](const scene::Scene& scene) { return operations_of(make_plan(scene), "light pixels"); };
     scene::Scene one = ball(ReflectionModel::phong, ShadingFrequency::phong);
     one.lights.resize(1);
     scene::Scene two = one, three = one, four_samples = one;

@@ -242,7 +242,7 @@ STAGES = [
     ("kreda::scene::make_plan", "what the scene requires", "scene"),
     ("kreda::raster::transform_vertices", "vertices: object -> world -> clip -> screen", "streams"),
     ("kreda::raster::to_screen", "one vertex: divide by w, viewport, snap to 1/256", "clip, inv_w, ndc, window"),
-    ("prepare_shadows", "draw the lights' shadow maps, or build their tree", "frame.plan.shadows"),
+    ("prepare_shadow", "draw a light's shadow map, or build its tree", "planned"),
     ("kreda::raster::setup_triangles", "cull, clip, sort into tiles", "set"),
     ("kreda::raster::clip_triangle", "cut at the near plane and the guard band", "polygon.count"),
     ("kreda::raster::rasterize_tile", "the nearest triangle at every sample of a tile", "area, tile"),

@@ -9,6 +9,7 @@
 #include "lighting/light.hpp"
 #include "lighting/reflection.hpp"
 #include "scene/files/scene_keys.hpp"
+#include "scene/plan/pass_functions.hpp"
 #include "scene/render/shade.hpp"
 #include "tools/explain/explain_shadow.hpp"
 
@@ -20,13 +21,21 @@ using lighting::LightingChannels;
 using lighting::LightSetup;
 using lighting::ReflectionModel;
 
+/// The lighting passes of a frame up to and with its first `light_count` lights.
+std::span<const scene::PlannedPass> passes_up_to(const scene::Frame& frame, std::size_t light_count) {
+    const auto is_later = [&](const scene::PlannedPass& pass) {
+        return pass.run == scene::add_light && pass.index >= static_cast<int>(light_count);
+    };
+    const auto end = std::find_if(frame.lighting_passes.begin(), frame.lighting_passes.end(), is_later);
+    return {frame.lighting_passes.begin(), end};
+}
+
 /// The channels after the first `light_count` lights: the passes of the real render over a batch of one.
 std::unique_ptr<LightingChannels> channels_after(const LitPoint& point, std::size_t light_count) {
-    lighting::LightingSetup setup = point.frame.lighting;
-    setup.lights = setup.lights.first(light_count);
+    scene::Frame frame = point.frame;
+    frame.lighting_passes = passes_up_to(frame, light_count);
     auto channels = std::make_unique<LightingChannels>();
-    scene::shade_points({point.frame.scene, point.frame.plan, setup, point.frame.buffers}, point.points, point.material,
-                        *channels);
+    scene::shade_points(frame, point.points, point.material, *channels, *frame.buffers.scratch[0]);
     return channels;
 }
 

@@ -1,0 +1,329 @@
+#include "scene/plan/list_passes.hpp"
+
+#include <algorithm>
+
+#include "scene/map_meshes.hpp"
+#include "scene/plan/environment_plan.hpp"
+#include "scene/plan/pass_functions.hpp"
+#include "scene/plan/plan_cost.hpp"
+#include "scene/plan/shadow_words.hpp"
+
+namespace kreda::scene {
+
+namespace {
+
+using lighting::ReflectionModel;
+
+/// What the functions below read, and the list that they add to.
+struct Listing {
+    const Scene& scene;
+    const RenderPlan& plan;
+    PlanCounts counts;
+    std::vector<PlannedPass> passes;
+
+    PlannedPass& add(PassScope scope, void (*run)(const PassWork&), std::string name, std::string reason,
+                     PassCost cost) {
+        passes.push_back({std::move(name), std::move(reason), {}, std::move(cost), scope, run});
+        return passes.back();
+    }
+};
+
+bool is_lit(const lighting::Material& material) {
+    return material.model != ReflectionModel::unlit;
+}
+
+/// Which materials a test holds for, by number.
+template <class Test>
+std::vector<bool> materials_with(const Scene& scene, Test test) {
+    std::vector<bool> with;
+    for (const lighting::Material& material : scene.materials) with.push_back(test(material));
+    return with;
+}
+
+bool any_visible(const Scene& scene, const std::vector<bool>& materials) {
+    const std::vector<bool> visible = visible_materials(scene);
+    for (std::size_t m = 0; m < materials.size(); ++m) {
+        if (visible[m] && materials[m]) return true;
+    }
+    return false;
+}
+
+void list_vertices(Listing& list) {
+    const raster::VertexNeeds& needs = list.plan.vertex;
+    const std::uint64_t count = list.counts.vertices;
+    PlannedPass& pass = list.add(PassScope::frame, place_vertices, "vertices",
+                                 "object -> world -> clip -> screen for " + std::to_string(count) + " vertices",
+                                 vertex_cost(list.plan, list.counts));
+    pass.buffers.push_back({"screen", count * sizeof(raster::ScreenVertex)});
+    if (needs.position_world) pass.buffers.push_back({"position_world", count * sizeof(glm::vec3)});
+    if (needs.normal_world) pass.buffers.push_back({"normal_world", count * sizeof(glm::vec3)});
+    if (needs.uv) pass.buffers.push_back({"uv", count * sizeof(glm::vec2)});
+    if (needs.tangent_world) pass.buffers.push_back({"tangent_world", count * sizeof(glm::vec4)});
+}
+
+void list_vertex_fog(Listing& list) {
+    list.add(PassScope::frame, fog_vertices, "fog at vertices", "fog.frequency = \"vertex\"",
+             vertex_fog_cost(list.scene, list.counts))
+        .buffers = {{"fog", list.counts.vertices * sizeof(float)}};
+}
+
+void list_triangles(Listing& list) {
+    const std::uint64_t count = list.counts.triangles;
+    list.add(PassScope::frame, place_triangles, "triangles",
+             "cull, clip and sort " + std::to_string(count) + " triangles into tiles", triangle_cost(list.counts))
+        .buffers = {{"triangles and bins, at most", count * (sizeof(raster::ScreenTriangle) + sizeof(std::uint16_t))}};
+    if (!finds_sides(list.plan)) return;
+    list.add(PassScope::frame, find_sides, "sides",
+             "shading.two_sided: a triangle seen from behind has its normals turned to the viewer",
+             side_cost(list.counts));
+}
+
+void list_shadows(Listing& list) {
+    const auto number = [](const PlannedShadow& shadow, const RenderPlan& plan) {
+        return static_cast<int>(&shadow - plan.shadows.data());
+    };
+    if (list.plan.shadows_by_frame) {
+        constexpr std::uint64_t kSample = sizeof(float) + sizeof(glm::vec3) + sizeof(std::uint32_t);
+        list.add(PassScope::frame, find_visible_samples, "visible samples",
+                 "shadow.method looks at all samples that are seen, before any is lit", visibility_cost(list.counts))
+            .buffers = {{"depth, position and triangle", list.counts.samples * kSample}};
+    }
+    for (const PlannedShadow& shadow : list.plan.shadows) {
+        PlannedPass pass = pass_of(list.scene, shadow, list.plan.viewport);
+        pass.scope = PassScope::frame;
+        pass.run = list.plan.shadows_by_frame ? find_frame_shadow : prepare_shadow;
+        pass.index = number(shadow, list.plan);
+        list.passes.push_back(std::move(pass));
+    }
+}
+
+const char* where_lit(ShadingFrequency frequency) {
+    switch (frequency) {
+        case ShadingFrequency::flat: return "at every triangle's centroid";
+        case ShadingFrequency::gouraud: return "at every vertex";
+        case ShadingFrequency::phong: return "at every sample";
+    }
+    return "";
+}
+
+const char* filter_name(lighting::TextureFilter filter) {
+    switch (filter) {
+        case lighting::TextureFilter::nearest: return "nearest";
+        case lighting::TextureFilter::bilinear: return "bilinear";
+        case lighting::TextureFilter::trilinear: return "trilinear";
+    }
+    return "";
+}
+
+/// One pass a material with maps.
+void list_maps(Listing& list) {
+    const std::vector<bool> visible = visible_materials(list.scene);
+    for (std::size_t m = 0; m < list.plan.materials.size(); ++m) {
+        const lighting::MaterialMaps& maps = list.plan.materials[m].maps;
+        if (!visible[m] || !list.plan.materials[m].map_needs.uv) continue;
+        std::string names;
+        std::vector<PlannedBuffer> buffers;
+        for (const lighting::MapUse& use : lighting::map_uses()) {
+            const raster::Texture* texture = (maps.*use.map).texture.get();
+            if (!texture) continue;
+            const std::string size = std::to_string(texture->width) + " x " + std::to_string(texture->height);
+            names += (names.empty() ? "" : ", ") + std::string(use.name) + "_map";
+            buffers.push_back({std::string(use.name) + " " + size + ", levels " + std::to_string(texture->level_count),
+                               texture->texels.size() * sizeof(float)});
+        }
+        PlannedPass& pass =
+            list.add(PassScope::points, look_up_maps, "maps of " + list.scene.materials[m].name,
+                     names + " read " + where_lit(list.plan.frequency) + ", " + filter_name(maps.filter),
+                     map_cost(list.plan, list.counts, buffers.size()));
+        pass.buffers = std::move(buffers);
+        pass.index = static_cast<int>(m);
+        pass.materials.assign(list.plan.materials.size(), false);
+        pass.materials[m] = true;
+    }
+}
+
+std::string environment_reason(const Scene& scene, const RenderPlan& plan) {
+    const int reference = scene.environment.reference;
+    const std::string how = reference > 0
+                                ? std::to_string(reference) + " samples of the integral in each of three ways "
+                                : std::string("the split sum ");
+    return how + where_lit(plan.frequency);
+}
+
+void list_lights(Listing& list, const std::vector<bool>& lit) {
+    int number = 0;
+    for (std::size_t i = 0; i < list.scene.lights.size(); ++i) {
+        const lighting::Light& light = list.scene.lights[i];
+        if (!light.on) continue;
+        const bool casts = std::any_of(list.plan.shadows.begin(), list.plan.shadows.end(),
+                                       [&](const PlannedShadow& s) { return s.light == static_cast<int>(i); });
+        PlannedPass& pass = list.add(PassScope::points, add_light, name_of_light(light, i),
+                                     std::string("on: what it sends") + (casts ? ", its shadow" : "") +
+                                         " and what is reflected of it " + where_lit(list.plan.frequency),
+                                     light_cost(list.scene, list.plan, list.counts, static_cast<int>(i)));
+        pass.index = number++;
+        pass.materials = lit;
+    }
+}
+
+/// What light is, wherever it is computed: the passes of the lecture's equation.
+void list_lighting(Listing& list) {
+    const std::vector<bool> lit = materials_with(list.scene, is_lit);
+    list_maps(list);
+    if (!any_visible(list.scene, lit)) return;
+    list.add(PassScope::points, find_surface, "surface", std::string("n and v ") + where_lit(list.plan.frequency),
+             surface_cost(list.plan, list.counts))
+        .materials = lit;
+    if (list.plan.lit_by_environment) {
+        list.add(PassScope::points, add_environment, "environment", environment_reason(list.scene, list.plan),
+                 environment_light_cost(list.scene, list.plan, list.counts))
+            .materials = lit;
+    }
+    list_lights(list, lit);
+}
+
+/// The pass that lights, and behind it what it runs at every batch of points.
+PlannedPass& list_lit(Listing& list, PassScope scope, void (*run)(const PassWork&), const std::string& name,
+                      const std::string& reason) {
+    const std::size_t number = list.passes.size();
+    list.add(scope, run, name, reason, sum_cost(list.plan, list.counts));
+    list_lighting(list);
+    return list.passes[number];
+}
+
+void list_lit_vertices(Listing& list) {
+    const std::uint64_t bytes = list.counts.vertices * sizeof(glm::vec3);
+    PlannedPass& pass = list_lit(list, PassScope::frame, light_vertices, "light vertices",
+                                 std::string("shading.frequency = \"gouraud\": what follows, at every vertex") +
+                                     (list.plan.two_sided ? ", for both sides of the surface" : ""));
+    pass.buffers = {{"color", bytes}};
+    if (list.plan.two_sided) pass.buffers.push_back({"color_behind", bytes});
+}
+
+void list_lit_triangles(Listing& list) {
+    list_lit(list, PassScope::frame, light_triangles, "light triangles",
+             "shading.frequency = \"flat\": what follows, once a triangle, at its centroid")
+        .buffers = {{"flat color", list.counts.triangles * sizeof(glm::vec3)}};
+}
+
+void list_lit_samples(Listing& list) {
+    list_lit(list, PassScope::batch, light_samples, "light pixels",
+             "shading.frequency = \"phong\": what follows, at every sample")
+        .buffers = {{"lighting channels of one batch, a thread", sizeof(lighting::LightingChannels)}};
+}
+
+/// Flat shading in clear air has nothing left to compute at a pixel.
+bool only_painting_left(const RenderPlan& plan) {
+    const bool fog = plan.fog_at_pixels || plan.fog_at_vertices;
+    return plan.frequency == ShadingFrequency::flat && !fog && plan.views.empty();
+}
+
+bool interpolates(const RenderPlan& plan) {
+    return plan.shadows_by_frame || std::any_of(plan.fragment_of_material.begin(), plan.fragment_of_material.end(),
+                                                [](const raster::FragmentNeeds& needs) { return needs.any(); });
+}
+
+void list_fog(Listing& list) {
+    if (list.plan.fog_at_pixels) {
+        list.add(PassScope::batch, fog_samples, "fog at pixels", "fog.frequency = \"pixel\"",
+                 fog_cost(list.scene, list.counts));
+    }
+    if (list.plan.fog_at_vertices || list.plan.fog_at_pixels) {
+        list.add(PassScope::batch, mix_fog, "mix fog", "fog.mode is not \"none\"", mix_fog_cost(list.counts));
+    }
+}
+
+void list_visible(Listing& list) {
+    list.add(PassScope::tile, find_nearest, "visibility", "which triangle is nearest, sample by sample",
+             visibility_cost(list.counts))
+        .buffers = {{"depth and triangle of one tile, a thread", sizeof(raster::TileVisibility)}};
+}
+
+/// From the attributes of the visible samples to their radiance in the tile.
+void list_batches(Listing& list) {
+    if (only_painting_left(list.plan)) {
+        list.add(PassScope::tile, paint_flat, "paint", "the colour of its triangle at every sample",
+                 copy_cost(list.counts));
+        return;
+    }
+    if (interpolates(list.plan)) {
+        const bool affine = list.plan.interpolation == raster::AttributeInterpolation::affine;
+        list.add(PassScope::batch, interpolate, "interpolate",
+                 std::string("attributes between the vertices, ") + (affine ? "affine" : "perspective-correct"),
+                 interpolation_cost(list.plan, list.counts))
+            .buffers = {{"fragments of one batch, a thread", sizeof(raster::Fragments)}};
+    }
+    if (list.plan.frequency == ShadingFrequency::flat) {
+        list.add(PassScope::batch, color_flat, "flat color", "the colour of its triangle at every sample",
+                 copy_cost(list.counts));
+    }
+    if (list.plan.frequency == ShadingFrequency::phong) list_lit_samples(list);
+    list_fog(list);
+    list.add(PassScope::batch, paint, "paint", "the radiance of a batch to its places in the tile",
+             copy_cost(list.counts));
+}
+
+std::vector<PlannedBuffer> view_buffers(const Listing& list, const View& view) {
+    return {{"values", list.counts.pixels * static_cast<std::uint64_t>(view.components) * sizeof(float)}};
+}
+
+/// depth: the views of the depth buffer, or those of the batches' channels.
+void list_views(Listing& list, bool depth) {
+    for (std::size_t v = 0; v < list.plan.views.size(); ++v) {
+        const View& view = *list.plan.views[v];
+        const bool of_depth = !view.value;
+        if (of_depth != depth) continue;
+        PlannedPass& pass =
+            list.add(of_depth ? PassScope::tile : PassScope::batch, of_depth ? show_depth : show_view,
+                     "view " + std::string(view.name), std::string(view.meaning), copy_cost(list.counts));
+        pass.buffers = view_buffers(list, view);
+        pass.index = static_cast<int>(v);
+    }
+}
+
+void list_background(Listing& list) {
+    list.add(PassScope::tile, start_background, "background",
+             list.scene.image.environment_background ? "image.background = \"environment\": where nothing is drawn"
+                                                     : "image.background: one colour where nothing is drawn",
+             copy_cost(list.counts));
+}
+
+void list_film(Listing& list) {
+    const int n = list.scene.image.samples;
+    list.add(PassScope::tile, write_film, "film",
+             n == 1 ? "one sample a pixel" : "mean of " + std::to_string(n * n) + " samples a pixel",
+             film_cost(list.plan, list.counts))
+        .buffers = {{"linear RGB", list.counts.pixels * 3 * sizeof(float)}};
+}
+
+void list_objects(Listing& list) {
+    const RenderPlan& plan = list.plan;
+    list_vertices(list);
+    if (!plan.shadows_by_frame) list_shadows(list);
+    if (plan.frequency == ShadingFrequency::gouraud) list_lit_vertices(list);
+    if (plan.fog_at_vertices) list_vertex_fog(list);
+    list_triangles(list);
+    if (plan.shadows_by_frame) list_shadows(list);
+    if (plan.frequency == ShadingFrequency::flat) list_lit_triangles(list);
+}
+
+}  // namespace
+
+bool finds_sides(const RenderPlan& plan) {
+    return plan.two_sided && plan.frequency != ShadingFrequency::flat;
+}
+
+void list_passes(const Scene& scene, RenderPlan& plan) {
+    Listing list{scene, plan, count(scene, plan), plan_baking(scene, plan.environment)};
+    const bool objects = !scene.objects.empty();
+    if (objects) list_objects(list);
+    if (objects) list_visible(list);
+    list_background(list);
+    list_views(list, true);
+    if (objects) list_batches(list);
+    if (objects) list_views(list, false);
+    list_film(list);
+    plan.passes = std::move(list.passes);
+}
+
+}  // namespace kreda::scene

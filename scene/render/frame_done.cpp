@@ -1,0 +1,7 @@
+#include "scene/render/frame_done.hpp"
+
+namespace kreda::scene {
+
+void frame_done(const Frame&) {}
+
+}  // namespace kreda::scene

@@ -1,0 +1,23 @@
+// Walking the plan's list: the only place where passes of a frame are started.
+#pragma once
+
+#include <span>
+
+#include "scene/render/frame.hpp"
+#include "scene/render/render.hpp"
+
+namespace kreda::scene {
+
+/// The passes that are walked tile by tile: the last of the list.
+[[nodiscard]] std::span<const PlannedPass> find_tile_passes(const RenderPlan& plan);
+
+/// The passes that are walked for every batch of points that is lit, wherever in the list.
+[[nodiscard]] std::span<const PlannedPass> find_lighting_passes(const RenderPlan& plan);
+
+/// Run what is baked. Nothing is, where the buffers or the scene hold it already.
+void walk_baking(const Frame& frame, StageTimes& times);
+
+/// Run all other passes, in the order of the list.
+void walk_frame(const Frame& frame, StageTimes& times);
+
+}  // namespace kreda::scene
