@@ -30,13 +30,19 @@ KREDA_BATCH_LOOP void same_view_everywhere(int lanes, const glm::vec3& to_viewer
 }
 
 /// What is there without any light: s_A m_A + m_E, and nothing reflected yet.
-KREDA_BATCH_LOOP void start_terms(int lanes, const glm::vec3& ambient_and_emission, LightingChannels& c) {
-    const glm::vec3 base = ambient_and_emission;
+KREDA_BATCH_LOOP void start_terms(int lanes, const glm::vec3& own_radiance, LightingChannels& c) {
+    const glm::vec3 base = own_radiance;
     for (int i = 0; i < lanes; ++i) {
         c.ambient.set(i, base);
         c.diffuse.set(i, glm::vec3(0.0f));
         c.specular.set(i, glm::vec3(0.0f));
     }
+}
+
+/// Where a map says how much each point emits: m_E is the map times the constant.
+KREDA_BATCH_LOOP void add_emission_of_map(int lanes, const glm::vec3& emission, LightingChannels& c) {
+    const glm::vec3 constant = emission;
+    for (int i = 0; i < lanes; ++i) c.ambient.set(i, c.ambient.at(i) + constant * c.map_emission.at(i));
 }
 
 /// Unlit: what the map shows, and m_E.
@@ -152,13 +158,19 @@ KREDA_BATCH_LOOP void add_up(int lanes, LightingChannels& c) {
     for (int i = 0; i < lanes; ++i) c.radiance.set(i, c.ambient.at(i) + c.diffuse.at(i) + c.specular.at(i));
 }
 
+/// m_E where it is the same at every point; a map adds its own.
+glm::vec3 even_emission(const MaterialSetup& setup) {
+    return setup.maps.emission.texture ? glm::vec3(0.0f) : setup.material.phong.emission;
+}
+
 /// What a surface shows without any light: s_A m_A + m_E; the microfacet model knows no ambient light.
-glm::vec3 unlit_radiance(const Material& material, const glm::vec3& s_A) {
-    const PhongMaterial& m = material.phong;
-    switch (material.model) {
-        case ReflectionModel::unlit: return m.diffuse + m.emission;
-        case ReflectionModel::cook_torrance: return m.emission;
-        default: return ambient_term(s_A, m.ambient) + m.emission;
+glm::vec3 own_radiance(const MaterialSetup& setup, const glm::vec3& s_A) {
+    const PhongMaterial& m = setup.material.phong;
+    const glm::vec3 m_E = even_emission(setup);
+    switch (setup.material.model) {
+        case ReflectionModel::unlit: return m.diffuse + m_E;
+        case ReflectionModel::cook_torrance: return m_E;
+        default: return ambient_term(s_A, m.ambient) + m_E;
     }
 }
 
@@ -212,15 +224,15 @@ void start_lighting(const Fragments& fragments, const MaterialSetup& material, c
                     LightingChannels& channels) {
     const int lanes = lanes_for(fragments.count);
     const ReflectionModel model = material.material.model;
-    start_terms(lanes, unlit_radiance(material.material, setup.ambient), channels);
+    start_terms(lanes, own_radiance(material, setup.ambient), channels);
     if (model == ReflectionModel::cook_torrance) {
         fill_surface(fragments.count, material.cook_torrance, channels.microfacet);
     }
     if (material.map_needs.uv) read_maps(fragments, material.maps, material.cook_torrance, channels);
-    if (model == ReflectionModel::unlit) {
-        if (material.maps.diffuse.texture) shine_by_map(lanes, material.material.phong.emission, channels);
-        return;
-    }
+    const bool shows_map = model == ReflectionModel::unlit && material.maps.diffuse.texture;
+    if (shows_map) shine_by_map(lanes, even_emission(material), channels);
+    if (material.maps.emission.texture) add_emission_of_map(lanes, material.material.phong.emission, channels);
+    if (model == ReflectionModel::unlit) return;
     surface_directions(fragments, lanes, setup, channels);
     if (setup.orthographic) same_view_everywhere(lanes, -setup.forward, channels);
     if (material.map_needs.tangent) bend_normals(fragments, material.maps, channels);

@@ -34,9 +34,10 @@ struct Decoder {
             return 0.0f;
         }
         if (kind == MapKind::normal) return lighting::normal_component(value, stored.bits);
-        const float linear = kind == MapKind::color ? linear_from_stored(value, stored) : value;
-        outside += linear < 0.0f || linear > 1.0f;
-        return raster::saturate(linear);
+        const bool is_light = kind == MapKind::radiance;
+        const float linear = is_light || kind == MapKind::color ? linear_from_stored(value, stored) : value;
+        outside += linear < 0.0f || (linear > 1.0f && !is_light);
+        return is_light ? std::max(linear, 0.0f) : raster::saturate(linear);
     }
 };
 
@@ -85,12 +86,15 @@ void warn(const std::string& path, const ColorChannels& channels, const Decoder&
     };
     for (const std::string& text : decoder.stored.remarks) remark(text);
     remark(channels_remark(channels, decoder.stored, decoder.kind));
-    if (decoder.kind == MapKind::color) remark(encoding_remark(decoder.stored));
+    const bool is_light = decoder.kind == MapKind::radiance;
+    if (is_light || decoder.kind == MapKind::color) remark(encoding_remark(decoder.stored));
     const auto say = [&](std::size_t count, const char* what) {
         if (count > 0) warnings.push_back(UserError(Place{path}, std::to_string(count) + what).what());
     };
     say(decoder.non_finite, " values are NaN or infinite; 0 is used instead");
-    say(decoder.outside, " values are outside of 0..1 and were clamped: a map holds shares and reflectances");
+    say(is_light ? decoder.outside : 0, " values are below 0 and were clamped: a map of emission holds light");
+    say(is_light ? 0 : decoder.outside,
+        " values are outside of 0..1 and were clamped: a map holds shares and reflectances");
 }
 
 /// Heights as a normal map: white stands `scale` widths of the picture above black. With h in texels,

@@ -27,6 +27,7 @@ const std::vector<Announcement>& announcements() {
         {"albedo",
          {"albedo", "basecolor", "color", "col", "diffuse", "diff", "bc", "basecolour", "colour",
           "albedotransparency"}},
+        {"emission", {"emission", "emissive", "emit", "glow", "selfillumination"}},
         {"metallic", {"metallic", "metalness", "metal"}},
         {"roughness", {"roughness", "rough"}},
         {"ao", {"ao", "ambientocclusion", "occlusion", "occ"}},
@@ -126,6 +127,7 @@ void drop_workflow(std::vector<std::string>& words) {
 
 lighting::Map* map_named(lighting::MaterialMaps& maps, const std::string& name) {
     if (name == "albedo") return &maps.albedo;
+    if (name == "emission") return &maps.emission;
     if (name == "metallic") return &maps.metallic;
     if (name == "roughness") return &maps.roughness;
     return name == "ao" ? &maps.ao : &maps.normal;

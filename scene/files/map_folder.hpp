@@ -15,9 +15,9 @@ struct MapFolder {
     std::string problem;                ///< empty: at least one map was found and none twice
 };
 
-/// Which map a file's name announces: "albedo", "metallic", "roughness", "ao", "normal", "normal_down" (green points
-/// down), or "" for none. The last word counts, in any case; words end at _ - . and blanks, and sizes (1K, 2048) are
-/// skipped: Metal007_1K_Color.jpg is an albedo.
+/// Which map a file's name announces: "albedo", "emission", "metallic", "roughness", "ao", "normal", "normal_down"
+/// (green points down), or "" for none. The last word counts, in any case; words end at _ - . and blanks, and sizes
+/// (1K, 2048) are skipped: Metal007_1K_Color.jpg is an albedo.
 [[nodiscard]] std::string map_announced_by(const std::string& file_name);
 
 /// The words that announce the maps, for a message: "albedo (or basecolor, color, ...), ...".

@@ -167,6 +167,7 @@ MapStatement parse_map(const std::string& rest) {
 /// Where the file of a map belongs; null: no place for it. Programs disagree about capitals.
 std::string* file_of_map(Given& given, const std::string& keyword) {
     if (keyword == "map_kd") return &given.maps.diffuse.file;
+    if (keyword == "map_ke" || keyword == "map_emissive") return &given.maps.emission.file;
     if (keyword == "map_pr") return &given.maps.roughness.file;
     if (keyword == "map_pm") return &given.maps.metallic.file;
     if (keyword == "norm" || keyword == "map_kn") return &given.maps.normal.file;
@@ -193,7 +194,7 @@ void scan_map(Scanner& s, std::string_view keyword) {
     std::string* const file = file_of_map(s.scan.given.back(), in_lower_case(keyword));
     if (!file) {
         return warn(s, std::string(keyword) + " statements", keyword,
-                    in_quotes(keyword) + " is ignored; map_Kd, map_Pr, map_Pm, norm and map_Bump are used");
+                    in_quotes(keyword) + " is ignored; map_Kd, map_Ke, map_Pr, map_Pm, norm and map_Bump are used");
     }
     const MapStatement map = parse_map(rest);
     if (map.name.empty()) {
@@ -255,6 +256,8 @@ lighting::PhongMaterial phong_constants(const tinyobj::material_t& mtl, const Gi
     if (given.Kd) phong.diffuse = color(mtl.diffuse);
     phong.specular = given.Ks ? color(mtl.specular) : glm::vec3(0.0f);
     if (given.Ke) phong.emission = color(mtl.emission);
+    const bool map_alone = !given.maps.emission.file.empty() && phong.emission == glm::vec3(0.0f);
+    if (map_alone) phong.emission = glm::vec3(1.0f);  // exporters write "Ke 0 0 0" beside a map that is to be seen
     if (given.Ns) phong.shininess = mtl.shininess;
     return phong;
 }

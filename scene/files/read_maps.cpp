@@ -38,6 +38,27 @@ void read_map(const Value& key, const lighting::MapUse& use, const std::string& 
     warnings.push_back(UserError(key.place, what + usual_remedy(use)).what());
 }
 
+/// Heights take the place of the normal map, and know no green that may point down.
+void read_bump(const Value& table, const std::string& folder, lighting::Material& material,
+               std::vector<std::string>& warnings) {
+    const Value* const bump = find(table, "bump_map");
+    if (const Value* scale = find(table, "bump_scale"); scale && !bump) {
+        throw UserError(scale->place, "'bump_scale' in [[material]] needs 'bump_map', the heights that it scales");
+    }
+    if (!bump) return;
+    for (const char* other : {"normal_map", "normal_map_y"}) {
+        if (const Value* key = find(table, other)) {
+            throw UserError(key->place, in_quotes(other) +
+                                            " and 'bump_map' in [[material]] exclude each other; heights "
+                                            "give the normals: remove one of them");
+        }
+    }
+    read_map(*bump, {"bump", lighting::MapKind::normal, &lighting::MaterialMaps::normal}, folder, material, warnings);
+    material.maps.normal_from_height = true;
+    material.maps.normal_y = lighting::NormalMapY::up;
+    read(table, "bump_scale", material.maps.bump_scale);
+}
+
 }  // namespace
 
 void read_maps(const Value& table, const std::string& folder, lighting::Material& material,
@@ -48,6 +69,8 @@ void read_maps(const Value& table, const std::string& folder, lighting::Material
         if (key) read_map(*key, use, folder, material, warnings);
     }
     read_word(table, "normal_map_y", material.maps.normal_y);
+    read_bump(table, folder, material, warnings);
+    if (!material.maps.emission.file.empty() && !find(table, "emission")) material.phong.emission = glm::vec3(1.0f);
     read_word(table, "texture_filter", material.maps.filter);
     read_word(table, "texture_wrap", material.maps.wrap);
     if (const Value* scale = find(table, "texture_scale")) {
