@@ -154,19 +154,25 @@ ReadWay way_of(const lighting::MaterialMaps& maps, const lighting::MapUse& use) 
             is_height ? 1 + static_cast<int>(maps.wrap) : 0};
 }
 
-std::shared_ptr<const raster::Texture> load_heights(const std::string& path, const lighting::MaterialMaps& maps,
-                                                    bool with_pyramid, std::vector<std::string>& warnings) {
+/// What a file says as a map of that kind, and warnings about it.
+raster::Image decoded_map(const std::string& path, const StoredImage& stored, MapKind kind,
+                          std::vector<std::string>& warnings) {
+    const ColorChannels channels = color_channels(stored.channels, stored.alpha);
+    Decoder decoder{kind, stored};
+    const raster::Image decoded = decode(channels, decoder);
+    warn(path, channels, decoder, warnings);
+    return decoded;
+}
+
+/// A height map as normals.
+raster::Image normals_of_bump(const std::string& path, const lighting::MaterialMaps& maps,
+                              std::vector<std::string>& warnings) {
     const StoredImage stored = read_stored_image(path);
     if (looks_like_normals(stored.image)) {
         warnings.push_back(path + ": is given as a height map (bump), but is a normal map by its colours; read as one");
-        return load_texture(path, MapKind::normal, with_pyramid, warnings);
+        return decoded_map(path, stored, MapKind::normal, warnings);
     }
-    const ColorChannels channels = color_channels(stored.channels, stored.alpha);
-    Decoder decoder{MapKind::value, stored};
-    const raster::Image heights = decode(channels, decoder);
-    warn(path, channels, decoder, warnings);
-    return std::make_shared<raster::Texture>(
-        raster::make_texture(normals_of_heights(heights, maps.bump_scale, maps.wrap), with_pyramid));
+    return normals_of_heights(decoded_map(path, stored, MapKind::value, warnings), maps.bump_scale, maps.wrap);
 }
 
 /// Calls visit(material, use, map) for every map that must come from a file.
@@ -187,11 +193,7 @@ void for_each_wanted(Scene& scene, Visit visit) {
 
 std::shared_ptr<const raster::Texture> load_texture(const std::string& path, MapKind kind, bool with_pyramid,
                                                     std::vector<std::string>& warnings) {
-    const StoredImage stored = read_stored_image(path);
-    const ColorChannels channels = color_channels(stored.channels, stored.alpha);
-    Decoder decoder{kind, stored};
-    const raster::Image decoded = decode(channels, decoder);
-    warn(path, channels, decoder, warnings);
+    const raster::Image decoded = decoded_map(path, read_stored_image(path), kind, warnings);
     return std::make_shared<raster::Texture>(raster::make_texture(decoded, with_pyramid));
 }
 
@@ -206,7 +208,8 @@ void load_maps(Scene& scene) {
         Wanted& wanted = files[way_of(material.maps, use)];
         const bool is_height = use.kind == MapKind::normal && material.maps.normal_from_height;
         if (!wanted.texture && is_height) {
-            wanted.texture = load_heights(map.file, material.maps, wanted.with_pyramid, scene.warnings);
+            const raster::Image normals = normals_of_bump(map.file, material.maps, scene.warnings);
+            wanted.texture = std::make_shared<raster::Texture>(raster::make_texture(normals, wanted.with_pyramid));
         }
         if (!wanted.texture) wanted.texture = load_texture(map.file, use.kind, wanted.with_pyramid, scene.warnings);
         map.texture = wanted.texture;

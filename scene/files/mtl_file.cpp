@@ -37,7 +37,7 @@ struct MtlScan {
 
 struct Scanner {
     const ObjText& text;
-    const MtlPaths& paths;
+    const NamedFileLimits& limits;
     ObjCursor cursor;
     MtlScan scan;
     ObjWarnings warnings;
@@ -174,20 +174,6 @@ std::string* file_of_map(Given& given, const std::string& keyword) {
     return keyword == "bump" || keyword == "map_bump" ? &given.bump_file : nullptr;
 }
 
-/// The file that a map names, or "" with a warning: a surface without one of its maps is still a surface.
-std::string existing_map(Scanner& s, std::string_view keyword, const std::string& name) {
-    const NamedPath found =
-        resolve_named_path(s.text, s.cursor.offset_of(keyword), name, s.paths.root, s.paths.allow_outside);
-    if (found.path.empty()) {
-        warn(s, "image files that are not there", keyword,
-             "no such image file: " + path_in_quotes(name) + "; drawn without it");
-    } else if (found.is_beside) {
-        warn(s, "image files taken from beside the MTL file", keyword,
-             path_in_quotes(name) + " is not there; " + path_in_quotes(found.path) + " is used instead");
-    }
-    return found.path;
-}
-
 /// A map that there is no place for, or whose file is absent, is dropped with a warning: real files have such.
 void scan_map(Scanner& s, std::string_view keyword) {
     const std::string rest = s.cursor.rest_of_statement();
@@ -205,7 +191,8 @@ void scan_map(Scanner& s, std::string_view keyword) {
         warn(s, "options of maps", keyword,
              "the options of " + std::string(keyword) + " are ignored" + (is_bump ? ", all but -bm" : ""));
     }
-    *file = existing_map(s, keyword, map.name);
+    *file = find_named_file(s.text, s.cursor.offset_of(keyword), map.name, s.limits, "image file", "; drawn without it",
+                            s.warnings);
     if (is_bump) s.scan.given.back().maps.bump_scale = lighting::MaterialMaps{}.bump_scale * map.bump;
 }
 
@@ -285,8 +272,8 @@ lighting::Material convert(const tinyobj::material_t& mtl, const Given& given) {
 
 }  // namespace
 
-void add_mtl(const ObjText& text, const MtlPaths& paths, MtlMaterials& into) {
-    Scanner s{text, paths, ObjCursor(text), {}, ObjWarnings(text)};
+void add_mtl(const ObjText& text, const NamedFileLimits& limits, MtlMaterials& into) {
+    Scanner s{text, limits, ObjCursor(text), {}, ObjWarnings(text)};
     while (!s.cursor.at_end()) scan_statement(s);
     finish_material(s);
     const std::vector<std::string> lines = s.warnings.lines();
