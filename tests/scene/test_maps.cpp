@@ -59,9 +59,14 @@ TEST_CASE("maps: complaints name the place and what was expected") {
     CHECK(has(complaint("diffuse_map = 'two'\n"), "s.toml:2:15: 'diffuse_map': "));
     CHECK(has(complaint("diffuse_map = 'two'\n"), "is a folder, not an image file"));
     CHECK(has(complaint("maps = 'nowhere/*.ppm'\n"), "s.toml:2:8: 'maps': there is no folder "));
-    CHECK(has(complaint("maps = 'none/*.ppm'\n"), "expected files whose names end in albedo (or basecolor), metallic"));
+    CHECK(has(complaint("maps = 'none/*.ppm'\n"), "expected files whose names end in albedo (or basecolor), emission"));
     CHECK(has(complaint("maps = 'none/*.ppm'\n"), "; found x.ppm"));
-    CHECK(has(complaint("maps = 'two/*'\n"), "'a_albedo.ppm' and 'b_albedo.ppm' are both a map of albedo"));
+    CHECK(complaint("model = 'cook_torrance'\nmaps = 'two/*'\n") ==
+          "s.toml:3:8: 'maps': 'a_albedo.ppm' and 'b_albedo.ppm' are both a map of albedo; choose one beside it, "
+          "albedo_map = \"two/a_albedo.ppm\", or let the pattern of 'maps' match fewer files");
+    CHECK(has(complaint("maps = 'two'\n"), "beside it, diffuse_map = \"two/a_albedo.ppm\", or"));  // as phong reads it
+    CHECK(complaint("maps = 'two'\ndiffuse_map = 'two/a_albedo.ppm'\n") == "no complaint");        // the remedy helps
+    CHECK(complaint("maps = 'two/a*'\n") == "no complaint");
     CHECK(has(complaint("texture_filter = 'cubic'\n"), "expected \"nearest\" | \"bilinear\" | \"trilinear\""));
     CHECK(has(complaint("texture_wrap = 'mirror'\n"), "expected \"repeat\" | \"clamp\""));
     CHECK(has(complaint("normal_map_y = 'left'\n"), "expected \"up\" | \"down\""));
