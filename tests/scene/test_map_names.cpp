@@ -31,8 +31,8 @@ TEST_CASE("maps: names of real sets are understood") {
 namespace {
 
 struct Name {
-    const char* file;
-    const char* map;
+    std::string file;
+    std::string map;
 };
 
 }  // namespace
