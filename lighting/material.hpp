@@ -72,7 +72,8 @@ struct Map {
     std::shared_ptr<const raster::Texture> texture;  ///< linear texels; null: not loaded. Maps of one file share it
 };
 
-/// Maps replace the constant of the same name; normal bends the interpolated normal.
+/// Maps replace the constant of the same name, but emission multiplies it: a file of bytes ends at 1, light does not.
+/// normal bends the interpolated normal.
 struct MaterialMaps {
     Map albedo, diffuse, emission, metallic, roughness, ao, normal;
     bool normal_from_height = false;       ///< the file of `normal` holds heights; its texels are made from them

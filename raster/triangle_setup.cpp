@@ -21,8 +21,7 @@ struct PendingClip {
 /// What setting up one chunk needs to know.
 struct ChunkTask {
     std::uint32_t instance = 0;
-    std::uint32_t part = 0;
-    std::uint32_t first_triangle = 0;  ///< in the mesh
+    std::uint32_t first_triangle = 0;  ///< in the mesh, whatever their parts
     std::uint32_t triangle_count = 0;
     std::uint32_t first_source = 0;  ///< number of the instance's first triangle over all instances
 };
@@ -99,30 +98,50 @@ void clip_later(const MeshInstance& instance, const Frame& frame, const std::uin
     if (polygon.count > 0) pending.push_back({place, triangle, polygon});
 }
 
-/// List the triangles of one chunk that will be drawn; those that need clipping are put aside in `pending`.
-void list_triangles(const ChunkTask& task, const MeshInstance& instance, const Frame& frame, const TileGrid& grid,
+/// List the triangles of one part of a mesh, from `begin` to `end`, that will be drawn; those that need clipping are
+/// put aside in `pending`.
+void list_triangles(std::uint32_t begin, std::uint32_t end, std::uint32_t material, std::uint32_t first_source,
+                    const MeshInstance& instance, const Frame& frame, const TileGrid& grid,
                     const VertexStreams& streams, DrawList& list, TriangleCounts& counts,
                     std::vector<PendingClip>& pending) {
-    list.count = 0;
-    list.make_room(kTrianglesPerChunk + 1);
-    const std::uint32_t* index = &instance.mesh->indices[3 * std::size_t{task.first_triangle}];
+    const std::uint32_t* index = &instance.mesh->indices[3 * std::size_t{begin}];
     JudgeLanes lanes{};  // lanes behind the last triangle are judged, too
     ScreenTriangle triangle;
-    triangle.material = instance.part_material[task.part];
-    for (std::uint32_t first = 0; first < task.triangle_count; first += kScreenLanes, index += 3 * kScreenLanes) {
-        const int count = static_cast<int>(std::min<std::uint32_t>(task.triangle_count - first, kScreenLanes));
+    triangle.material = material;
+    counts.input += end - begin;
+    for (std::uint32_t first = begin; first < end; first += kScreenLanes, index += 3 * kScreenLanes) {
+        const int count = static_cast<int>(std::min<std::uint32_t>(end - first, kScreenLanes));
         fetch_corners(&streams.screen[instance.first_vertex], index, count, lanes);
         const bool any = judge_triangles(count, frame.cull, frame.viewport, grid, lanes);
         count_fates(lanes.fate, count, counts);
         for (int i = 0; any && i < count; ++i) {
             const Fate fate{lanes.fate[i]};
-            triangle.source = task.first_source + task.first_triangle + first + static_cast<std::uint32_t>(i);
+            triangle.source = first_source + first + static_cast<std::uint32_t>(i);
             for (int k = 0; k < 3; ++k) triangle.vertex[k] = instance.first_vertex + index[3 * i + k];
             append(triangle, lanes.front[i] != 0, frame.mirrored, lanes.tiles_at(i), fate == Fate::drawn, list);
             if (fate == Fate::needs_clip) {
                 clip_later(instance, frame, index + 3 * i, triangle, list.count, counts, pending);
             }
         }
+    }
+}
+
+/// List the triangles of one chunk, part by part.
+void list_chunk(const ChunkTask& task, const MeshInstance& instance, const Frame& frame, const TileGrid& grid,
+                const VertexStreams& streams, DrawList& list, TriangleCounts& counts,
+                std::vector<PendingClip>& pending) {
+    list.count = 0;
+    list.make_room(kTrianglesPerChunk + 1);
+    const std::vector<MeshPart>& parts = instance.mesh->parts;
+    const std::uint32_t first = task.first_triangle, last = first + task.triangle_count;
+    const auto is_before = [&](const MeshPart& part) { return part.first_triangle + part.triangle_count <= first; };
+    const auto first_part = std::partition_point(parts.begin(), parts.end(), is_before);
+    for (auto part = first_part; part != parts.end() && part->first_triangle < last; ++part) {
+        const auto p = static_cast<std::size_t>(part - parts.begin());
+        if (!instance.part_hidden.empty() && instance.part_hidden[p]) continue;
+        list_triangles(std::max(part->first_triangle, first),
+                       std::min(part->first_triangle + part->triangle_count, last), instance.part_material[p],
+                       task.first_source, instance, frame, grid, streams, list, counts, pending);
     }
 }
 
@@ -226,26 +245,20 @@ struct WaitingChunk {
 
 void start_chunk(const ChunkTask& task, TriangleChunk& chunk) {
     chunk.counts = {};
-    chunk.counts.input = task.triangle_count;
     chunk.instance = task.instance;
     chunk.first_source = task.first_source;
 }
 
-/// Cut all visible parts of all instances into chunks.
+/// Cut all instances into chunks.
 std::vector<ChunkTask> make_tasks(const std::vector<MeshInstance>& instances) {
     std::vector<ChunkTask> tasks;
     std::uint32_t source = 0;
     for (std::uint32_t i = 0; i < instances.size(); ++i) {
-        const MeshInstance& instance = instances[i];
-        for (std::uint32_t p = 0; p < instance.mesh->parts.size(); ++p) {
-            const MeshPart& part = instance.mesh->parts[p];
-            const bool hidden = !instance.part_hidden.empty() && instance.part_hidden[p];
-            for (std::uint32_t begin = 0; begin < part.triangle_count && !hidden; begin += kTrianglesPerChunk) {
-                const std::uint32_t count = std::min(kTrianglesPerChunk, part.triangle_count - begin);
-                tasks.push_back({i, p, part.first_triangle + begin, count, source});
-            }
+        const std::uint32_t triangles = instances[i].mesh->triangle_count();
+        for (std::uint32_t begin = 0; begin < triangles; begin += kTrianglesPerChunk) {
+            tasks.push_back({i, begin, std::min(kTrianglesPerChunk, triangles - begin), source});
         }
-        source += instance.mesh->triangle_count();
+        source += triangles;
     }
     return tasks;
 }
@@ -295,8 +308,8 @@ TriangleCounts setup_triangles(const std::vector<MeshInstance>& instances, const
         for (int i = 0; i < chunk_count; ++i) {
             TriangleChunk& chunk = set.chunks[i];
             start_chunk(tasks[i], chunk);
-            list_triangles(tasks[i], instances[tasks[i].instance], frame_of(tasks[i]), set.grid, streams, list,
-                           chunk.counts, waiting[i].clips);
+            list_chunk(tasks[i], instances[tasks[i].instance], frame_of(tasks[i]), set.grid, streams, list,
+                       chunk.counts, waiting[i].clips);
             if (waiting[i].clips.empty())
                 fill_chunk(list, set.grid, chunk);
             else

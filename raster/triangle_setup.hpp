@@ -30,11 +30,15 @@ struct TriangleCounts {
     std::uint64_t clipped = 0;     ///< went through the clipper
 };
 
-/// Triangles are set up in chunks of this many, whatever the number of threads, so that the order never changes.
+/// Triangles are set up in chunks of this many of one mesh instance, whatever their parts and the number of threads, so
+/// that the order never changes.
 inline constexpr std::uint32_t kTrianglesPerChunk = 4096;
 
 /// A triangle's number holds its chunk and its place in it; clipping makes at most 14 triangles out of one.
 inline constexpr int kChunkShift = 16;
+
+/// As many chunks as a triangle's number can name; the last number is no triangle.
+inline constexpr std::uint32_t kMostChunks = (1u << (32 - kChunkShift)) - 1;
 
 /// The set-up triangles of one chunk, in the order in which they are drawn, and for each tile those that touch it.
 struct TriangleChunk {

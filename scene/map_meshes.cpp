@@ -63,6 +63,8 @@ void drop_maps_without_uv(Scene& scene) {
             const auto [plain, is_new] = plain_of.try_emplace(material, static_cast<int>(scene.materials.size()));
             if (is_new) {
                 lighting::Material copy = scene.materials[static_cast<std::size_t>(material)];
+                if (!copy.maps.emission.file.empty() || copy.maps.emission.texture)
+                    copy.phong.emission = glm::vec3(0.0f);
                 copy.maps = {};
                 scene.materials.push_back(std::move(copy));
             }

@@ -87,6 +87,28 @@ std::string nothing_seen(const raster::Camera& camera, const DepthRange& all) {
     return "";
 }
 
+std::string point_text(const glm::dvec3& p) {
+    return "[" + text_of(p.x) + ", " + text_of(p.y) + ", " + text_of(p.z) + "]";
+}
+
+/// Where everything lies to the side of what the camera sees: how to look at it.
+std::string all_beside(const Scene& scene, const std::map<const raster::Mesh*, Box>& boxes) {
+    std::vector<glm::vec3> corners;
+    for (const Object& object : scene.objects) {
+        std::vector<glm::vec3> of_object;
+        for (const glm::vec3& corner : boxes.at(object.mesh.get()).corners()) {
+            of_object.emplace_back(object.world_from_object * glm::vec4(corner, 1.0f));
+        }
+        const Box box = box_of(of_object);
+        if (!seen_corners(box, scene).empty()) return "";
+        corners.insert(corners.end(), {box.least, box.greatest});
+    }
+    const Box all = box_of(corners);
+    const glm::dvec3 middle = scene.origin + 0.5 * (glm::dvec3(all.least) + glm::dvec3(all.greatest));
+    return "everything lies beside what the camera sees: the picture is empty; its middle is at camera.target = " +
+           point_text(middle);
+}
+
 }  // namespace
 
 double depth_step_at(const raster::Camera& camera, double distance) {
@@ -107,7 +129,8 @@ std::vector<std::string> view_warnings(const Scene& scene) {
         ranges.push_back(depth_range(scene, object, box->second));
         all = join(all, ranges.back());
     }
-    const std::string nothing = nothing_seen(scene.camera, all);
+    std::string nothing = nothing_seen(scene.camera, all);
+    if (nothing.empty()) nothing = all_beside(scene, boxes);
     if (!nothing.empty()) return {nothing};
     for (const DepthRange& range : ranges) {
         if (has_too_few_depths(scene.camera, range)) return {few_depths(scene.camera, range, all)};

@@ -1,4 +1,5 @@
-// What the camera's planes do to a picture: all of it cut away, or too few depths to tell surfaces apart.
+// Cameras that show nothing, because everything is cut away or lies elsewhere, or have too few depths to tell surfaces
+// apart.
 #pragma once
 
 #include <string>

@@ -35,16 +35,17 @@ struct EnvironmentChannels {
 
 /// Every quantity of the lecture's equation at every point of a batch.
 struct LightingChannels {
-    raster::Channel level;        ///< level of detail at which the maps are read (trilinear)
-    raster::Channel3 m_D;         ///< diffuse reflectance, where a map gives it
-    raster::Channel3 map_normal;  ///< what the normal map says: t, b, n components, not unit
-    raster::Channel3 n;           ///< unit normal
-    raster::Channel3 v;           ///< unit, to the viewer
-    raster::Channel3 t;           ///< unit, in the surface: the way scratches or threads run (ward, heidrich_seidel)
-    raster::Channel3 l;           ///< unit, to the light that is being added
-    raster::Channel3 irradiance;  ///< what that light sends, s(p); in shadow what the shadow leaves of it
-    raster::Channel n_dot_l;      ///< of that light; negative where the surface faces away from it
-    raster::Channel sigma;        ///< Sigma of that light; phong and blinn_phong
+    raster::Channel level;          ///< level of detail at which the maps are read (trilinear)
+    raster::Channel3 m_D;           ///< diffuse reflectance, where a map gives it
+    raster::Channel3 map_emission;  ///< what the emission map says: m_E is the constant times it
+    raster::Channel3 map_normal;    ///< what the normal map says: t, b, n components, not unit
+    raster::Channel3 n;             ///< unit normal
+    raster::Channel3 v;             ///< unit, to the viewer
+    raster::Channel3 t;             ///< unit, in the surface: the way scratches or threads run (ward, heidrich_seidel)
+    raster::Channel3 l;             ///< unit, to the light that is being added
+    raster::Channel3 irradiance;    ///< what that light sends, s(p); in shadow what the shadow leaves of it
+    raster::Channel n_dot_l;        ///< of that light; negative where the surface faces away from it
+    raster::Channel sigma;          ///< Sigma of that light; phong and blinn_phong
     raster::Channel
         highlight;           ///< Sigma^h of that light, 0 where the surface faces away from it; phong and blinn_phong
     raster::Channel shadow;  ///< of that light: 1 lit .. 0 in full shadow; only where it casts shadows

@@ -55,9 +55,10 @@ KREDA_BATCH_LOOP void bend(const Fragments& f, int lanes, float up, LightingChan
 }  // namespace
 
 std::span<const MapUse> map_uses() {
-    static constexpr std::array<MapUse, 6> kUses = {{
+    static constexpr std::array<MapUse, 7> kUses = {{
         {"albedo", MapKind::color, &MaterialMaps::albedo},
         {"diffuse", MapKind::color, &MaterialMaps::diffuse},
+        {"emission", MapKind::radiance, &MaterialMaps::emission},
         {"metallic", MapKind::value, &MaterialMaps::metallic},
         {"roughness", MapKind::value, &MaterialMaps::roughness},
         {"ao", MapKind::value, &MaterialMaps::ao},
@@ -67,6 +68,7 @@ std::span<const MapUse> map_uses() {
 }
 
 bool reads_map(ReflectionModel model, const MapUse& use) {
+    if (use.map == &MaterialMaps::emission) return true;
     if (use.kind == MapKind::normal) return model != ReflectionModel::unlit;
     const bool is_empirical = use.map == &MaterialMaps::diffuse;
     return is_empirical == (model != ReflectionModel::cook_torrance);
@@ -99,6 +101,7 @@ void read_maps(const Fragments& fragments, const MaterialMaps& maps, const CookT
     read_value(fragments, maps.ao, maps, channels.level, m.ao);
     read_value(fragments, maps.roughness, maps, channels.level, m.roughness);
     read_value(fragments, maps.metallic, maps, channels.level, m.metallic);
+    read_color(fragments, maps.emission, maps, channels.level, channels.map_emission);
     read_color(fragments, maps.albedo, maps, channels.level, m.albedo);
     read_color(fragments, maps.diffuse, maps, channels.level, channels.m_D);
     if (!maps.albedo.texture && !maps.metallic.texture && !maps.roughness.texture) return;

@@ -1,4 +1,5 @@
-// Maps: what varies over a surface, read from textures: albedo, metallic, roughness, ao, diffuse, normal.
+// Maps: what varies over a surface, read from textures: albedo, metallic, roughness, ao, diffuse,
+// emission, normal.
 #pragma once
 
 #include <span>
@@ -13,9 +14,10 @@ namespace kreda::lighting {
 
 /// What the values of a map's file mean.
 enum class MapKind {
-    color,  ///< 3 channels; integers are sRGB
-    value,  ///< the first channel alone, linear
-    normal  ///< 3 channels, linear, 0..1 stands for -1..1
+    color,     ///< 3 channels, shares of light: 0..1; integers are sRGB
+    radiance,  ///< 3 channels, light: 0 and more; integers are sRGB
+    value,     ///< the first channel alone, linear
+    normal     ///< 3 channels, linear, 0..1 stands for -1..1
 };
 
 /// A map that a material may have.
@@ -42,9 +44,9 @@ struct MapNeeds {
 };
 [[nodiscard]] MapNeeds needs_of(const MaterialMaps& maps);
 
-/// Look up the maps at every point: channels.m_D, channels.map_normal, and albedo, metallic, roughness, ao of
-/// channels.microfacet (f0 and alpha follow; call it after fill_surface). channels.level is that of the color map, or
-/// of another where there is none.
+/// Look up the maps at every point: channels.m_D, channels.map_emission, channels.map_normal, and albedo, metallic,
+/// roughness, ao of channels.microfacet (f0 and alpha follow; call it after fill_surface). channels.level is that of
+/// the color map, or of another where there is none.
 void read_maps(const raster::Fragments& fragments, const MaterialMaps& maps, const CookTorranceSetup& setup,
                LightingChannels& channels);
 

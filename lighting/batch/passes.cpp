@@ -34,6 +34,11 @@ KREDA_BATCH_LOOP void start_terms(int lanes, glm::vec3 ambient_and_emission, Lig
     }
 }
 
+/// Where a map says how much each point emits: m_E is the map times the constant.
+KREDA_BATCH_LOOP void add_emission_of_map(int lanes, glm::vec3 constant, LightingChannels& c) {
+    for (int i = 0; i < lanes; ++i) c.ambient.set(i, c.ambient.at(i) + constant * c.map_emission.at(i));
+}
+
 /// Unlit: what the map shows, and m_E.
 KREDA_BATCH_LOOP void shine_by_map(int lanes, glm::vec3 m_E, LightingChannels& c) {
     for (int i = 0; i < lanes; ++i) c.ambient.set(i, c.m_D.at(i) + m_E);
@@ -146,13 +151,19 @@ KREDA_BATCH_LOOP void add_up(int lanes, LightingChannels& c) {
     for (int i = 0; i < lanes; ++i) c.radiance.set(i, c.ambient.at(i) + c.diffuse.at(i) + c.specular.at(i));
 }
 
+/// m_E where it is the same at every point; a map adds its own.
+glm::vec3 even_emission(const MaterialSetup& setup) {
+    return setup.maps.emission.texture ? glm::vec3(0.0f) : setup.material.phong.emission;
+}
+
 /// What a surface shows without any light: s_A m_A + m_E; the microfacet model knows no ambient light.
-glm::vec3 unlit_radiance(const Material& material, const glm::vec3& s_A) {
-    const PhongMaterial& m = material.phong;
-    switch (material.model) {
-        case ReflectionModel::unlit: return m.diffuse + m.emission;
-        case ReflectionModel::cook_torrance: return m.emission;
-        default: return ambient_term(s_A, m.ambient) + m.emission;
+glm::vec3 own_radiance(const MaterialSetup& setup, const glm::vec3& s_A) {
+    const PhongMaterial& m = setup.material.phong;
+    const glm::vec3 m_E = even_emission(setup);
+    switch (setup.material.model) {
+        case ReflectionModel::unlit: return m.diffuse + m_E;
+        case ReflectionModel::cook_torrance: return m_E;
+        default: return ambient_term(s_A, m.ambient) + m_E;
     }
 }
 
@@ -233,15 +244,17 @@ MaterialSetup prepare(const Material& material) {
 
 void start_surface(const Fragments& fragments, const MaterialSetup& material, const LightingSetup& setup,
                    LightingChannels& channels) {
-    start_terms(lanes_for(fragments.count), unlit_radiance(material.material, setup.ambient), channels);
+    start_terms(lanes_for(fragments.count), own_radiance(material, setup.ambient), channels);
     if (material.material.model != ReflectionModel::cook_torrance) return;
     fill_surface(fragments.count, material.cook_torrance, channels.microfacet);
 }
 
 void apply_maps(const Fragments& fragments, const MaterialSetup& material, LightingChannels& channels) {
     read_maps(fragments, material.maps, material.cook_torrance, channels);
-    if (material.material.model != ReflectionModel::unlit || !material.maps.diffuse.texture) return;
-    shine_by_map(lanes_for(fragments.count), material.material.phong.emission, channels);
+    const int lanes = lanes_for(fragments.count);
+    const bool shows_map = material.material.model == ReflectionModel::unlit && material.maps.diffuse.texture;
+    if (shows_map) shine_by_map(lanes, even_emission(material), channels);
+    if (material.maps.emission.texture) add_emission_of_map(lanes, material.material.phong.emission, channels);
 }
 
 void find_directions(const Fragments& fragments, const MaterialSetup& material, const LightingSetup& setup,

@@ -8,7 +8,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// Names of image files beside a path that is not there.
+/// Names of what stands beside a path that is not there.
 std::vector<std::string> neighbours(const fs::path& path) {
     std::vector<std::string> names;
     std::error_code failed;

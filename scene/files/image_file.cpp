@@ -17,9 +17,11 @@
 #include <OpenImageIO/imageio.h>
 
 #include "scene/error.hpp"
+#include "scene/files/icc_profile.hpp"
 #include "scene/files/image_color.hpp"
 #include "scene/files/image_module.hpp"
 #include "scene/files/image_orientation.hpp"
+#include "scene/files/quoted_text.hpp"
 #include "scene/files/radiance_header.hpp"
 #include "scene/files/webp_file.hpp"
 
@@ -187,6 +189,12 @@ int bits_of(const OIIO::ImageSpec& spec) {
     return static_cast<int>(8 * spec.format.size());
 }
 
+std::string_view icc_profile(const OIIO::ImageSpec& spec) {
+    const OIIO::ParamValue* const profile = spec.find_attribute("ICCProfile");
+    if (!profile || profile->type().basetype != OIIO::TypeDesc::UINT8) return {};
+    return {static_cast<const char*>(profile->data()), static_cast<std::size_t>(profile->type().size())};
+}
+
 /// Floats are linear. Integers are sRGB unless the file says that they are linear or a power: PNG's gAMA does. 2.2 is
 /// how a PNG without an sRGB chunk says sRGB (PNG specification, 11.3.2.5); PNM's
 /// Rec709 is taken for it, as all programs do.
@@ -201,6 +209,8 @@ void find_encoding(const OIIO::ImageSpec& spec, StoredImage& stored) {
     } else if (gamma > 0.25f && gamma < 4.0f && std::abs(gamma - 2.2f) > 0.05f) {
         stored.encoding = Encoding::power;
         stored.gamma = gamma;
+    } else if (const std::string profile = profile_other_than_srgb(icc_profile(spec)); !profile.empty()) {
+        stored.unknown_space = profile;
     } else if (!space.empty() && space != "srgb" && space != "rec709" && !space.starts_with("gamma")) {
         stored.unknown_space = spec.get_string_attribute("oiio:ColorSpace");
     }
@@ -232,6 +242,24 @@ void check_orientation_of_tiff(const std::string& path, const OIIO::ImageSpec& s
     if (orientation == 1 || photometric <= kMostPlain || photometric == kSeparated) return;
     throw UserError(Place{path}, "holds neither grey, RGB nor CMYK colours and is stored turned (Orientation " +
                                      std::to_string(orientation) + "): save it upright, or as RGB");
+}
+
+/// A file may hold several images: parts of an EXR, pages of a TIFF. Says that the first one is read.
+void remark_parts(const std::string& path, OIIO::ImageInput& input, StoredImage& stored) {
+    constexpr int kMost = 6;
+    const auto name = [&] { return on_one_line(std::string(input.spec().get_string_attribute("oiio:subimagename"))); };
+    const std::string first = name();
+    std::string others;
+    int count = 1;
+    for (; count <= kMost && input.seek_subimage(count, 0); ++count) {
+        if (!name().empty()) others += (others.empty() ? "" : ", ") + path_in_quotes(name());
+    }
+    if (!input.seek_subimage(0, 0))
+        throw UserError(Place{path}, "is damaged: " + reason_of(input.geterror(), "no first image"));
+    if (count == 1) return;
+    const std::string named = first.empty() ? "" : ", " + path_in_quotes(first);
+    const std::string left = others.empty() ? "" : ", and not " + others + (count > kMost ? ", ..." : "");
+    stored.remarks.push_back("holds more than one image; the first is read" + named + left);
 }
 
 /// As EXIF counts. Where the file's own header was read, that counts.
@@ -266,6 +294,7 @@ StoredImage read_with_oiio(const std::string& path, const ImageReadOptions& opti
     }
     StoredImage stored;
     stored.remarks = opened.radiance.remarks;
+    remark_parts(path, input, stored);
     stored.bits = bits_of(spec);
     find_encoding(spec, stored);
     find_channels(spec, stored);

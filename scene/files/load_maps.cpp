@@ -34,9 +34,10 @@ struct Decoder {
             return 0.0f;
         }
         if (kind == MapKind::normal) return lighting::normal_component(value, stored.bits);
-        const float linear = kind == MapKind::color ? linear_from_stored(value, stored) : value;
-        outside += linear < 0.0f || linear > 1.0f;
-        return raster::saturate(linear);
+        const bool is_light = kind == MapKind::radiance;
+        const float linear = is_light || kind == MapKind::color ? linear_from_stored(value, stored) : value;
+        outside += linear < 0.0f || (linear > 1.0f && !is_light);
+        return is_light ? std::max(linear, 0.0f) : raster::saturate(linear);
     }
 };
 
@@ -85,12 +86,15 @@ void warn(const std::string& path, const ColorChannels& channels, const Decoder&
     };
     for (const std::string& text : decoder.stored.remarks) remark(text);
     remark(channels_remark(channels, decoder.stored, decoder.kind));
-    if (decoder.kind == MapKind::color) remark(encoding_remark(decoder.stored));
+    const bool is_light = decoder.kind == MapKind::radiance;
+    if (is_light || decoder.kind == MapKind::color) remark(encoding_remark(decoder.stored));
     const auto say = [&](std::size_t count, const char* what) {
         if (count > 0) warnings.push_back(UserError(Place{path}, std::to_string(count) + what).what());
     };
     say(decoder.non_finite, " values are NaN or infinite; 0 is used instead");
-    say(decoder.outside, " values are outside of 0..1 and were clamped: a map holds shares and reflectances");
+    say(is_light ? decoder.outside : 0, " values are below 0 and were clamped: a map of emission holds light");
+    say(is_light ? 0 : decoder.outside,
+        " values are outside of 0..1 and were clamped: a map holds shares and reflectances");
 }
 
 /// Heights as a normal map: white stands `scale` widths of the picture above black. With h in texels,
@@ -150,19 +154,25 @@ ReadWay way_of(const lighting::MaterialMaps& maps, const lighting::MapUse& use) 
             is_height ? 1 + static_cast<int>(maps.wrap) : 0};
 }
 
-std::shared_ptr<const raster::Texture> load_heights(const std::string& path, const lighting::MaterialMaps& maps,
-                                                    bool with_pyramid, std::vector<std::string>& warnings) {
+/// What a file says as a map of that kind, and warnings about it.
+raster::Image decoded_map(const std::string& path, const StoredImage& stored, MapKind kind,
+                          std::vector<std::string>& warnings) {
+    const ColorChannels channels = color_channels(stored.channels, stored.alpha);
+    Decoder decoder{kind, stored};
+    const raster::Image decoded = decode(channels, decoder);
+    warn(path, channels, decoder, warnings);
+    return decoded;
+}
+
+/// A height map as normals.
+raster::Image normals_of_bump(const std::string& path, const lighting::MaterialMaps& maps,
+                              std::vector<std::string>& warnings) {
     const StoredImage stored = read_stored_image(path);
     if (looks_like_normals(stored.image)) {
         warnings.push_back(path + ": is given as a height map (bump), but is a normal map by its colours; read as one");
-        return load_texture(path, MapKind::normal, with_pyramid, warnings);
+        return decoded_map(path, stored, MapKind::normal, warnings);
     }
-    const ColorChannels channels = color_channels(stored.channels, stored.alpha);
-    Decoder decoder{MapKind::value, stored};
-    const raster::Image heights = decode(channels, decoder);
-    warn(path, channels, decoder, warnings);
-    return std::make_shared<raster::Texture>(
-        raster::make_texture(normals_of_heights(heights, maps.bump_scale, maps.wrap), with_pyramid));
+    return normals_of_heights(decoded_map(path, stored, MapKind::value, warnings), maps.bump_scale, maps.wrap);
 }
 
 /// Calls visit(material, use, map) for every map that must come from a file.
@@ -183,11 +193,7 @@ void for_each_wanted(Scene& scene, Visit visit) {
 
 std::shared_ptr<const raster::Texture> load_texture(const std::string& path, MapKind kind, bool with_pyramid,
                                                     std::vector<std::string>& warnings) {
-    const StoredImage stored = read_stored_image(path);
-    const ColorChannels channels = color_channels(stored.channels, stored.alpha);
-    Decoder decoder{kind, stored};
-    const raster::Image decoded = decode(channels, decoder);
-    warn(path, channels, decoder, warnings);
+    const raster::Image decoded = decoded_map(path, read_stored_image(path), kind, warnings);
     return std::make_shared<raster::Texture>(raster::make_texture(decoded, with_pyramid));
 }
 
@@ -202,7 +208,8 @@ void load_maps(Scene& scene) {
         Wanted& wanted = files[way_of(material.maps, use)];
         const bool is_height = use.kind == MapKind::normal && material.maps.normal_from_height;
         if (!wanted.texture && is_height) {
-            wanted.texture = load_heights(map.file, material.maps, wanted.with_pyramid, scene.warnings);
+            const raster::Image normals = normals_of_bump(map.file, material.maps, scene.warnings);
+            wanted.texture = std::make_shared<raster::Texture>(raster::make_texture(normals, wanted.with_pyramid));
         }
         if (!wanted.texture) wanted.texture = load_texture(map.file, use.kind, wanted.with_pyramid, scene.warnings);
         map.texture = wanted.texture;

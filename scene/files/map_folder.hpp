@@ -1,6 +1,7 @@
 // A folder of maps as one material: which file is the albedo, which the normal map, told by their names.
 #pragma once
 
+#include <set>
 #include <string>
 #include <vector>
 
@@ -8,23 +9,22 @@
 
 namespace kreda::scene {
 
+/// Two files of a folder that announce the same map.
+struct TwoFiles {
+    std::string map, first, second;
+};
+
 /// What a pattern like "rusted_iron/*.png" found.
 struct MapFolder {
     lighting::MaterialMaps maps;        ///< files only; normal_y from "NormalDX" and the like
     std::vector<std::string> not_used;  ///< names of files that match the pattern but are none of these maps
-    std::string problem;                ///< empty: at least one map was found and none twice
+    std::vector<TwoFiles> twice;        ///< maps that more than one file announces; none of them is in `maps`
+    std::string problem;                ///< empty: at least one map was found
 };
 
-/// Which map a file's name announces: "albedo", "metallic", "roughness", "ao", "normal", "normal_down" (green points
-/// down), or "" for none. The last word counts, in any case; words end at _ - . and blanks, and sizes (1K, 2048) are
-/// skipped: Metal007_1K_Color.jpg is an albedo.
-[[nodiscard]] std::string map_announced_by(const std::string& file_name);
-
-/// The words that announce the maps, for a message: "albedo (or basecolor, color, ...), ...".
-[[nodiscard]] std::string announcing_words();
-
 /// Files whose name matches the pattern's last part (* stands for anything) in its folder. A folder alone means all of
-/// its files. Of two normal maps that differ in their green the one that points up is taken.
-[[nodiscard]] MapFolder find_maps(const std::string& pattern);
+/// its files. Of two normal maps that differ in their green the one that points up is taken. What announces one of
+/// `given` ("albedo", "normal", ...) is left out: those maps come from somewhere else.
+[[nodiscard]] MapFolder find_maps(const std::string& pattern, const std::set<std::string>& given = {});
 
 }  // namespace kreda::scene

@@ -33,24 +33,13 @@ struct Triangles {
 
 struct MaterialReader {
     const ObjText& obj;
-    MtlPaths paths;
+    NamedFileLimits limits;
     ObjWarnings warnings;
     MtlMaterials materials;
 
-    /// The file that `mtllib` calls so; "": there is none.
-    std::string find(const ObjName& library, const std::string& name) {
-        const NamedPath found = resolve_named_path(obj, library.offset, name, paths.root, paths.allow_outside);
-        if (found.is_beside) {
-            warnings.add("material files taken from beside the OBJ file", library.offset,
-                         path_in_quotes(name) + " is not there; " + path_in_quotes(found.path) + " is used instead");
-        }
-        return found.path;
-    }
     void add(const ObjName& library, const std::string& name) {
-        const std::string path = find(library, name);
-        if (!path.empty()) return add_mtl(read_obj_text(path), paths, materials);
-        warnings.add("material files that are not there", library.offset,
-                     "no such material file: " + path_in_quotes(name));
+        const std::string path = find_named_file(obj, library.offset, name, limits, "material file", "", warnings);
+        if (!path.empty()) add_mtl(read_obj_text(path), limits, materials);
     }
 };
 
@@ -59,8 +48,7 @@ void read_material_file(const ObjName& library, MaterialReader& reader) {
     std::string name = library.name;
     if (name.size() > 2 && name.front() == '"' && name.back() == '"') name = name.substr(1, name.size() - 2);
     if (name.empty()) return reader.warnings.add("mtllib without a file", library.offset, "mtllib names no file");
-    const std::string whole =
-        resolve_named_path(reader.obj, library.offset, name, reader.paths.root, reader.paths.allow_outside).path;
+    const std::string whole = resolve_named_path(reader.obj, library.offset, name, reader.limits).path;
     if (!whole.empty() || name.find_first_of(" \t") == std::string::npos) return reader.add(library, name);
     std::istringstream words(name);
     for (std::string word; words >> word;) reader.add(library, word);

@@ -37,7 +37,7 @@ struct MtlScan {
 
 struct Scanner {
     const ObjText& text;
-    const MtlPaths& paths;
+    const NamedFileLimits& limits;
     ObjCursor cursor;
     MtlScan scan;
     ObjWarnings warnings;
@@ -167,24 +167,11 @@ MapStatement parse_map(const std::string& rest) {
 /// Where the file of a map belongs; null: no place for it. Programs disagree about capitals.
 std::string* file_of_map(Given& given, const std::string& keyword) {
     if (keyword == "map_kd") return &given.maps.diffuse.file;
+    if (keyword == "map_ke" || keyword == "map_emissive") return &given.maps.emission.file;
     if (keyword == "map_pr") return &given.maps.roughness.file;
     if (keyword == "map_pm") return &given.maps.metallic.file;
     if (keyword == "norm" || keyword == "map_kn") return &given.maps.normal.file;
     return keyword == "bump" || keyword == "map_bump" ? &given.bump_file : nullptr;
-}
-
-/// The file that a map names, or "" with a warning: a surface without one of its maps is still a surface.
-std::string existing_map(Scanner& s, std::string_view keyword, const std::string& name) {
-    const NamedPath found =
-        resolve_named_path(s.text, s.cursor.offset_of(keyword), name, s.paths.root, s.paths.allow_outside);
-    if (found.path.empty()) {
-        warn(s, "image files that are not there", keyword,
-             "no such image file: " + path_in_quotes(name) + "; drawn without it");
-    } else if (found.is_beside) {
-        warn(s, "image files taken from beside the MTL file", keyword,
-             path_in_quotes(name) + " is not there; " + path_in_quotes(found.path) + " is used instead");
-    }
-    return found.path;
 }
 
 /// A map that there is no place for, or whose file is absent, is dropped with a warning: real files have such.
@@ -193,7 +180,7 @@ void scan_map(Scanner& s, std::string_view keyword) {
     std::string* const file = file_of_map(s.scan.given.back(), in_lower_case(keyword));
     if (!file) {
         return warn(s, std::string(keyword) + " statements", keyword,
-                    in_quotes(keyword) + " is ignored; map_Kd, map_Pr, map_Pm, norm and map_Bump are used");
+                    in_quotes(keyword) + " is ignored; map_Kd, map_Ke, map_Pr, map_Pm, norm and map_Bump are used");
     }
     const MapStatement map = parse_map(rest);
     if (map.name.empty()) {
@@ -204,7 +191,8 @@ void scan_map(Scanner& s, std::string_view keyword) {
         warn(s, "options of maps", keyword,
              "the options of " + std::string(keyword) + " are ignored" + (is_bump ? ", all but -bm" : ""));
     }
-    *file = existing_map(s, keyword, map.name);
+    *file = find_named_file(s.text, s.cursor.offset_of(keyword), map.name, s.limits, "image file", "; drawn without it",
+                            s.warnings);
     if (is_bump) s.scan.given.back().maps.bump_scale = lighting::MaterialMaps{}.bump_scale * map.bump;
 }
 
@@ -255,6 +243,8 @@ lighting::PhongMaterial phong_constants(const tinyobj::material_t& mtl, const Gi
     if (given.Kd) phong.diffuse = color(mtl.diffuse);
     phong.specular = given.Ks ? color(mtl.specular) : glm::vec3(0.0f);
     if (given.Ke) phong.emission = color(mtl.emission);
+    const bool map_alone = !given.maps.emission.file.empty() && phong.emission == glm::vec3(0.0f);
+    if (map_alone) phong.emission = glm::vec3(1.0f);  // exporters write "Ke 0 0 0" beside a map that is to be seen
     if (given.Ns) phong.shininess = mtl.shininess;
     return phong;
 }
@@ -282,8 +272,8 @@ lighting::Material convert(const tinyobj::material_t& mtl, const Given& given) {
 
 }  // namespace
 
-void add_mtl(const ObjText& text, const MtlPaths& paths, MtlMaterials& into) {
-    Scanner s{text, paths, ObjCursor(text), {}, ObjWarnings(text)};
+void add_mtl(const ObjText& text, const NamedFileLimits& limits, MtlMaterials& into) {
+    Scanner s{text, limits, ObjCursor(text), {}, ObjWarnings(text)};
     while (!s.cursor.at_end()) scan_statement(s);
     finish_material(s);
     const std::vector<std::string> lines = s.warnings.lines();

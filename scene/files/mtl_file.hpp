@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "lighting/material.hpp"
-#include "scene/files/obj_text.hpp"
+#include "scene/files/named_file.hpp"
 
 namespace kreda::scene {
 
@@ -17,15 +17,10 @@ struct MtlMaterials {
     std::vector<std::string> warnings;
 };
 
-/// Where the paths in an MTL may lead.
-struct MtlPaths {
-    std::string root;  ///< the OBJ's folder
-    bool allow_outside = false;
-};
-
 /// Add the materials of one file. Ka Kd Ks Ke Ns become a blinn_phong material (lambert where Ks is absent or 0, or
 /// illum is 1); Pr, Pm or a map of either makes it cook_torrance with albedo Kd. map_Bump is a height map where there
-/// is no norm; its -bm multiplies MaterialMaps::bump_scale. What is not given keeps lighting::Material's default.
-void add_mtl(const ObjText& text, const MtlPaths& paths, MtlMaterials& into);
+/// is no norm; its -bm multiplies MaterialMaps::bump_scale. map_Ke is multiplied by Ke, by 1 where that is absent or 0.
+/// What is not given keeps lighting::Material's default.
+void add_mtl(const ObjText& text, const NamedFileLimits& limits, MtlMaterials& into);
 
 }  // namespace kreda::scene

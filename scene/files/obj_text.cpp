@@ -222,46 +222,4 @@ double parse_finite(const ObjCursor& cursor, std::string_view token, const char*
     return value;
 }
 
-std::string folder_of(const std::string& path) {
-    const std::string folder = fs::path(path).parent_path().string();
-    return folder.empty() ? "." : folder;
-}
-
-namespace {
-
-bool is_there(const fs::path& path) {
-    std::error_code failed;
-    return fs::exists(path, failed);
-}
-
-/// Whether a path ends inside a folder when all links are followed.
-bool is_inside(const fs::path& path, const std::string& root) {
-    std::error_code failed;
-    const fs::path inside = fs::weakly_canonical(path, failed);
-    const fs::path canonical_root = failed ? fs::path() : fs::weakly_canonical(root, failed);
-    const fs::path relative = failed ? fs::path() : inside.lexically_relative(canonical_root);
-    return !failed && !relative.empty() && *relative.begin() != "..";
-}
-
-}  // namespace
-
-NamedPath resolve_named_path(const ObjText& text, std::size_t offset, const std::string& named, const std::string& root,
-                             bool allow_outside) {
-    std::string portable = named;
-    for (char& c : portable) {
-        if (c == '\\') c = '/';
-    }
-    const fs::path path = fs::path(folder_of(text.file)) / portable;
-    const fs::path beside = fs::path(folder_of(text.file)) / fs::path(portable).filename();
-    const auto may_be_read = [&](const fs::path& file) { return allow_outside || is_inside(file, root); };
-    if (is_there(path) && may_be_read(path)) return {path.string(), false};
-    if (beside != path && fs::path(portable).has_filename() && is_there(beside) && may_be_read(beside)) {
-        return {beside.string(), true};
-    }
-    if (!is_there(path)) return {};
-    throw UserError(place_at(text, offset), path_in_quotes(named) +
-                                                " is outside the folder of the OBJ file; move it "
-                                                "there, or allow it with --allow-outside");
-}
-
 }  // namespace kreda::scene

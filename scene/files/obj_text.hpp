@@ -106,20 +106,4 @@ private:
 /// A finite number within float's range. `what` names it in the message: "an x coordinate".
 double parse_finite(const ObjCursor& cursor, std::string_view token, const char* what);
 
-/// What a path in a text leads to.
-struct NamedPath {
-    std::string path;        ///< the file to read, empty: there is none that may be read
-    bool is_beside = false;  ///< not where the text says, but the file of that name beside the text
-};
-
-/// Resolve a path that `text` names, relative to its own folder, with / or \ between folders. Where nothing is there, a
-/// file of the same name beside the text is taken: texts are full of paths of other people's disks. Unless
-/// `allow_outside`, nothing outside `root` (symbolic links followed) is given back; a file that is there, but outside,
-/// is an error at `offset`.
-[[nodiscard]] NamedPath resolve_named_path(const ObjText& text, std::size_t offset, const std::string& named,
-                                           const std::string& root, bool allow_outside);
-
-/// The folder of a file: "." where its path names none.
-[[nodiscard]] std::string folder_of(const std::string& path);
-
 }  // namespace kreda::scene

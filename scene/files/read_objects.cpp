@@ -201,25 +201,26 @@ glm::mat4 world_from_object(glm::vec3 translate, glm::vec3 rotate_deg, glm::vec3
 
 namespace {
 
-/// Triangles are numbered chunk by chunk, 2^16 chunks at most, and a chunk holds triangles of one part only.
-std::uint64_t count_chunks(const Scene& scene) {
-    std::uint64_t chunks = 0;
-    for (const Object& object : scene.objects) {
-        for (const raster::MeshPart& part : object.mesh->parts)
-            chunks += part.triangle_count / raster::kTrianglesPerChunk + 1;
-    }
-    return chunks;
+/// Many small parts are drawn faster as one part a material.
+void join_small_parts(Scene& scene) {
+    constexpr std::size_t kMany = 1 << 14;
+    std::size_t parts = 0;
+    for (const Object& object : scene.objects) parts += object.mesh->parts.size();
+    if (parts > kMany) join_parts(scene);
 }
 
-/// Many small parts become one part a material; what is still too much is too much.
-void limit_parts(Scene& scene) {
-    constexpr std::uint64_t kMany = 1 << 14, kMost = (1 << 16) - 1;
-    if (count_chunks(scene) > kMany) join_parts(scene);
-    const std::uint64_t chunks = count_chunks(scene);
-    if (chunks <= kMost) return;
-    throw UserError({scene.file}, "the meshes have too many materials, objects or triangles (" +
-                                      std::to_string(chunks) +
-                                      " runs of up to 4096 triangles of one object and material; at most 65535)");
+/// A sample of the picture keeps its triangle in 32 bits, as a chunk of an object's triangles and a place in it.
+void limit_triangles(const Scene& scene) {
+    std::uint64_t chunks = 0, triangles = 0;
+    for (const Object& object : scene.objects) {
+        chunks += (object.mesh->triangle_count() + raster::kTrianglesPerChunk - 1) / raster::kTrianglesPerChunk;
+        triangles += object.mesh->triangle_count();
+    }
+    if (chunks <= raster::kMostChunks) return;
+    throw UserError({scene.file}, std::to_string(scene.objects.size()) + " objects of " + std::to_string(triangles) +
+                                      " triangles are more than one picture can tell apart (" + std::to_string(chunks) +
+                                      " runs of up to 4096 triangles of one object; at most " +
+                                      std::to_string(raster::kMostChunks) + "); join small objects into one mesh file");
 }
 
 }  // namespace
@@ -230,7 +231,8 @@ void read_objects(const Value& root, const std::string& folder, const ReadOption
     if (!objects) return;
     ObjectReader reader{folder, options, placements, scene, scene.materials.size(), -1, {}};
     for (const Value& table : objects->items) reader.read_object(table);
-    limit_parts(scene);
+    join_small_parts(scene);
+    limit_triangles(scene);
 }
 
 }  // namespace kreda::scene

@@ -77,6 +77,10 @@ bool has_diffuse_map(const RenderPlan& plan, std::uint32_t material) {
     return has_map(plan, material, &lighting::MaterialMaps::diffuse);
 }
 
+bool has_emission_map(const RenderPlan& plan, std::uint32_t material) {
+    return has_map(plan, material, &lighting::MaterialMaps::emission);
+}
+
 bool has_normal_map(const RenderPlan& plan, std::uint32_t material) {
     return has_map(plan, material, &lighting::MaterialMaps::normal);
 }
@@ -144,6 +148,8 @@ std::vector<View> make_views() {
          [](const Batch& b, int i, int) { return std::max(b.lighting.level.at(i), 0.0f); }},
         {"diffuse_map", "m_D as the map gives it", kMap, 3, color, kNothing, has_diffuse_map,
          [](const Batch& b, int i, int c) { return b.lighting.m_D.at(i)[c]; }},
+        {"emission_map", "what the emission map says; m_E is emission times it", kMap, 3, radiance, kNothing,
+         has_emission_map, [](const Batch& b, int i, int c) { return b.lighting.map_emission.at(i)[c]; }},
         {"normal_map", "the map's vector, in the surface's directions t, b, n", kMap, 3, direction, kNothing,
          has_normal_map, [](const Batch& b, int i, int c) { return b.lighting.map_normal.at(i)[c]; }},
         {"normal", "n: unit normal, world space", kLit, 3, direction, kNothing, lit_at_pixels,

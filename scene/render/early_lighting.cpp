@@ -61,20 +61,29 @@ void light_range(const PassWork& work, std::uint32_t material, std::uint32_t fir
     });
 }
 
-/// Flat colours of one chunk of triangles (they share a material).
+/// How many of a chunk's triangles from `begin` on have its material, at most a batch.
+int same_material(const std::vector<raster::ScreenTriangle>& triangles, int begin) {
+    const auto first = triangles.begin() + begin;
+    const auto end = first + std::min<std::ptrdiff_t>(kBatchCapacity, triangles.end() - first);
+    const auto is_other = [&](const raster::ScreenTriangle& triangle) { return triangle.material != first->material; };
+    return static_cast<int>(std::find_if(first, end, is_other) - first);
+}
+
+/// Flat colours of one chunk of triangles.
 void light_chunk(const Frame& frame, const raster::TriangleChunk& chunk, std::vector<glm::vec3>& color,
                  TileScratch& scratch) {
     const int total = static_cast<int>(chunk.triangles.size());
     const float orientation = orientation_of(frame.buffers.instances[chunk.instance].world_from_object);
-    for (int begin = 0; begin < total; begin += kBatchCapacity) {
-        const int count = std::min(kBatchCapacity, total - begin);
+    for (int begin = 0, count = 0; begin < total; begin += count) {
+        count = same_material(chunk.triangles, begin);
         for (int i = 0; i < count; ++i) {
             const raster::ScreenTriangle& triangle = chunk.triangles[begin + i];
             const bool behind = frame.plan.two_sided && triangle.behind;
             set_flat_point(frame.buffers, chunk, triangle, orientation, behind, i, scratch.fragments);
         }
         scratch.fragments.count = count;
-        shade_points(frame, scratch.fragments, chunk.triangles[0].material, scratch.lighting, scratch);
+        shade_points(frame, scratch.fragments, chunk.triangles[static_cast<std::size_t>(begin)].material,
+                     scratch.lighting, scratch);
         for (int i = 0; i < count; ++i) color[begin + i] = scratch.lighting.radiance.at(i);
     }
 }

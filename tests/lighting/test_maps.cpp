@@ -88,16 +88,19 @@ TEST_CASE("Maps of one value are the constants bit by bit with every model and f
             Material constant;
             constant.model = model;
             constant.phong.diffuse = {0.8f, 0.3f, 0.1f};
+            constant.phong.emission = {0.125f, 0.3f, 0.6f};
             constant.cook_torrance.albedo = {0.2f, 0.5f, 0.7f};
             constant.cook_torrance.metallic = 0.3f;
             constant.cook_torrance.roughness = 0.45f;
             Material mapped = constant;
             mapped.phong.diffuse = glm::vec3(9.0f);
+            mapped.phong.emission = glm::vec3(1.0f);  // multiplies the map
             mapped.cook_torrance.albedo = glm::vec3(1.0f);
             mapped.cook_torrance.metallic = 1.0f;
             mapped.cook_torrance.roughness = 1.0f;
             mapped.maps.filter = filter;
             mapped.maps.diffuse.texture = even_texture(3, constant.phong.diffuse);
+            mapped.maps.emission.texture = even_texture(3, constant.phong.emission);
             mapped.maps.albedo.texture = even_texture(3, constant.cook_torrance.albedo);
             mapped.maps.metallic.texture = even_texture(1, glm::vec3(0.3f));
             mapped.maps.roughness.texture = even_texture(1, glm::vec3(0.45f));
@@ -192,9 +195,9 @@ TEST_CASE("Model decides which maps are read and what they ask of the points") {
         }
         return names;
     };
-    CHECK(read(ReflectionModel::unlit) == "diffuse ");
-    CHECK(read(ReflectionModel::phong) == "diffuse normal ");
-    CHECK(read(ReflectionModel::cook_torrance) == "albedo metallic roughness ao normal ");
+    CHECK(read(ReflectionModel::unlit) == "diffuse emission ");
+    CHECK(read(ReflectionModel::phong) == "diffuse emission normal ");
+    CHECK(read(ReflectionModel::cook_torrance) == "albedo emission metallic roughness ao normal ");
 
     Material plain;
     CHECK_FALSE(needs_of(maps_in_use(plain)).uv);

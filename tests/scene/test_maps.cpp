@@ -1,4 +1,4 @@
-// Maps from files to pixels: names, places of complaints, decoding, sharing, what is loaded at all, every frequency.
+// Maps from files to pixels: places of complaints, decoding, sharing, what is loaded at all, every frequency.
 #include <algorithm>
 #include <cmath>
 #include <string>
@@ -9,149 +9,15 @@
 #include "raster/film.hpp"
 #include "scene/files/image_file.hpp"
 #include "scene/files/load_maps.hpp"
-#include "scene/files/map_folder.hpp"
 #include "scene/files/read_scene.hpp"
 #include "scene/render/render.hpp"
+#include "tests/scene/map_scenes.hpp"
 #include "tests/scene/raw_png.hpp"
-#include "tests/scene/temp_folder.hpp"
 
 using namespace kreda;
 using namespace kreda::scene;
+using namespace kreda::tests;
 using kreda::lighting::MapKind;
-using kreda::tests::one_pixel_png;
-using kreda::tests::TempFolder;
-
-namespace {
-
-/// A picture as text (PPM), all pixels alike.
-std::string even_ppm(int r, int g, int b) {
-    std::string text = "P3\n2 2\n255\n";
-    for (int i = 0; i < 4; ++i) {
-        text += std::to_string(r) + " " + std::to_string(g) + " " + std::to_string(b) + "\n";
-    }
-    return text;
-}
-
-std::string even_pgm(int grey) {
-    return "P2\n1 1\n255\n" + std::to_string(grey) + "\n";
-}
-
-Scene read_in(const TempFolder& folder, const std::string& text) {
-    return read_scene_text(text, "s.toml", folder.path.string());
-}
-
-std::string complaint_in(const TempFolder& folder, const std::string& text) {
-    try {
-        (void)read_in(folder, text);
-    } catch (const UserError& error) { return error.what(); }
-    return "no complaint";
-}
-
-bool has(const std::string& text, const std::string& part) {
-    return text.find(part) != std::string::npos;
-}
-
-bool warns(const Scene& scene, const std::string& part) {
-    return std::any_of(scene.warnings.begin(), scene.warnings.end(),
-                       [&](const std::string& warning) { return has(warning, part); });
-}
-
-/// The wall [-1, 1]^2 that fills the picture, straight ahead; material and the rest as given.
-std::string wall(const std::string& material, const std::string& more = "") {
-    return "[image]\nsize = [32, 32]\n[camera]\nposition = [0, 5, 0]\nup = [0, 0, -1]\nprojection = 'orthographic'\n"
-           "height = 2\n[[light]]\ndirection = [0, -1, 0]\n[ambient]\ncolor = [0, 0, 0]\n" +
-           more + "[[object]]\nmesh = 'plane'\nmaterial = 'm'\n[[material]]\nname = 'm'\n" + material;
-}
-
-float worst_difference(const raster::Image& a, const raster::Image& b) {
-    REQUIRE(a.values.size() == b.values.size());
-    float worst = 0.0f;
-    for (std::size_t i = 0; i < a.values.size(); ++i) worst = std::max(worst, std::abs(a.values[i] - b.values[i]));
-    return worst;
-}
-
-}  // namespace
-
-TEST_CASE("maps: names of real sets are understood") {
-    for (const char* name :
-         {"albedo.png", "Metal007_1K_Color.jpg", "rust_BaseColor.tga", "wall_diff_2k.jpg", "T_Rock_Base_Color.png"}) {
-        CAPTURE(name);
-        CHECK(map_announced_by(name) == "albedo");
-    }
-    CHECK(map_announced_by("Metal007_1K_Metalness.jpg") == "metallic");
-    CHECK(map_announced_by("iron-Metallic.PNG") == "metallic");
-    CHECK(map_announced_by("wall_rough_4k.exr") == "roughness");
-    CHECK(map_announced_by("AmbientOcclusion.png") == "ao");
-    CHECK(map_announced_by("rock_ambient_occlusion.png") == "ao");
-    CHECK(map_announced_by("Metal007_1K_NormalGL.jpg") == "normal");
-    CHECK(map_announced_by("rock_nor_gl_1k.png") == "normal");
-    CHECK(map_announced_by("Metal007_1K_NormalDX.jpg") == "normal_down");
-    for (const char* name :
-         {"Metal007_1K_Displacement.jpg", "preview.png", "cacao.png", "1024.png", "normal_map_of_me.png"}) {
-        CAPTURE(name);
-        CHECK(map_announced_by(name).empty());
-    }
-}
-
-TEST_CASE("maps: names of the large libraries and tools are understood") {
-    struct Name {
-        const char* file;
-        const char* map;
-    };
-    for (const Name& name : {Name{"wood_diff_2k.jpg", "albedo"},  // Poly Haven
-                             Name{"wood_nor_gl_2k.exr", "normal"},
-                             Name{"wood_nor_dx_2k.exr", "normal_down"},
-                             Name{"wood_rough_2k.jpg", "roughness"},
-                             Name{"wood_ao_2k.jpg", "ao"},
-                             Name{"wood_arm_2k.jpg", ""},                  // three maps in one
-                             Name{"Metal007_2K-PNG_Color.png", "albedo"},  // ambientCG
-                             Name{"Metal007_2K-PNG_NormalGL.png", "normal"},
-                             Name{"Metal007_2K-PNG_NormalDX.png", "normal_down"},
-                             Name{"Metal007_2K-PNG_Metalness.png", "metallic"},
-                             Name{"Metal007_2K-PNG_AmbientOcclusion.png", "ao"},
-                             Name{"Metal007_2K-PNG.png", ""},
-                             Name{"Rust01_COL_2K_METALNESS.png", "albedo"},  // Poliigon
-                             Name{"Rust01_COL_VAR1_2K_METALNESS.png", "albedo"},
-                             Name{"Rust01_ROUGHNESS_2K_METALNESS.png", "roughness"},
-                             Name{"Rust01_NRM_2K_METALNESS.png", "normal"},
-                             Name{"Rust01_METALNESS_2K_METALNESS.png", "metallic"},
-                             Name{"Rust01_AO_2K_METALNESS.png", "ao"},
-                             Name{"Rust01_DISP_2K_METALNESS.png", ""},
-                             Name{"Rust01_COL_2K_SPECULAR.png", "albedo"},
-                             Name{"Rust01_COL_2K.jpg", "albedo"},
-                             Name{"rustediron2_basecolor.png", "albedo"},  // FreePBR
-                             Name{"rock_albedo.png", "albedo"},
-                             Name{"rock_normal-ogl.png", "normal"},
-                             Name{"rock_normal-dx.png", "normal_down"},
-                             Name{"Barrel_Base_Color.png", "albedo"},  // Substance
-                             Name{"Barrel_BaseColor.1001.png", "albedo"},
-                             Name{"Barrel_Roughness.png", "roughness"},
-                             Name{"Barrel_Normal_OpenGL.png", "normal"},
-                             Name{"Barrel_Mixed_AO.png", "ao"},
-                             Name{"tgbl_2K_Albedo.jpg", "albedo"},  // Quixel
-                             Name{"tgbl_2K_Normal_LOD0.jpg", "normal"},
-                             Name{"tgbl_2K_Metalness.jpg", "metallic"},
-                             Name{"Metal_Plate_041_basecolor.jpg", "albedo"},  // 3DTextures
-                             Name{"Metal_Plate_041_ambientOcclusion.jpg", "ao"},
-                             Name{"Metal_Plate_041_NORM.jpg", "normal"},
-                             Name{"Metal_Plate_041_height.png", ""},
-                             Name{"TexturesCom_Brick_1K_albedo.tif", "albedo"},  // textures.com
-                             Name{"Bricks_2K_BaseColor.png", "albedo"},          // cgbookcase
-                             Name{"metal_0001_normal_opengl_1k.png", "normal"},  // TextureCan
-                             Name{"helmet_baseColor.png", "albedo"},             // glTF
-                             Name{"helmet_metallicRoughness.png", ""},
-                             Name{"Default_AO.jpg", "ao"},
-                             Name{"T_Rock_D.tga", "albedo"},  // Unreal
-                             Name{"T_Rock_BC.tga", "albedo"},
-                             Name{"T_Rock_N.tga", "normal_down"},
-                             Name{"T_Rock_R.tga", "roughness"},
-                             Name{"T_Rock_M.tga", "metallic"},
-                             Name{"T_Rock_ORM.tga", ""},
-                             Name{"vitamin_d.png", ""}}) {
-        CAPTURE(name.file);
-        CHECK(map_announced_by(name.file) == name.map);
-    }
-}
 
 TEST_CASE("maps: a folder is one material and the explicit key wins") {
     const TempFolder folder;
@@ -193,9 +59,14 @@ TEST_CASE("maps: complaints name the place and what was expected") {
     CHECK(has(complaint("diffuse_map = 'two'\n"), "s.toml:2:15: 'diffuse_map': "));
     CHECK(has(complaint("diffuse_map = 'two'\n"), "is a folder, not an image file"));
     CHECK(has(complaint("maps = 'nowhere/*.ppm'\n"), "s.toml:2:8: 'maps': there is no folder "));
-    CHECK(has(complaint("maps = 'none/*.ppm'\n"), "expected files whose names end in albedo (or basecolor), metallic"));
+    CHECK(has(complaint("maps = 'none/*.ppm'\n"), "expected files whose names end in albedo (or basecolor), emission"));
     CHECK(has(complaint("maps = 'none/*.ppm'\n"), "; found x.ppm"));
-    CHECK(has(complaint("maps = 'two/*'\n"), "'a_albedo.ppm' and 'b_albedo.ppm' are both a map of albedo"));
+    CHECK(complaint("model = 'cook_torrance'\nmaps = 'two/*'\n") ==
+          "s.toml:3:8: 'maps': 'a_albedo.ppm' and 'b_albedo.ppm' are both a map of albedo; choose one beside it, "
+          "albedo_map = \"two/a_albedo.ppm\", or let the pattern of 'maps' match fewer files");
+    CHECK(has(complaint("maps = 'two'\n"), "beside it, diffuse_map = \"two/a_albedo.ppm\", or"));  // as phong reads it
+    CHECK(complaint("maps = 'two'\ndiffuse_map = 'two/a_albedo.ppm'\n") == "no complaint");        // the remedy helps
+    CHECK(complaint("maps = 'two/a*'\n") == "no complaint");
     CHECK(has(complaint("texture_filter = 'cubic'\n"), "expected \"nearest\" | \"bilinear\" | \"trilinear\""));
     CHECK(has(complaint("texture_wrap = 'mirror'\n"), "expected \"repeat\" | \"clamp\""));
     CHECK(has(complaint("normal_map_y = 'left'\n"), "expected \"up\" | \"down\""));

@@ -5,37 +5,13 @@
 
 #include <doctest/doctest.h>
 
-#include "tests/scene/temp_folder.hpp"
+#include "tests/scene/mesh_text.hpp"
 
+using namespace kreda::tests;
 using kreda::scene::load_mesh_file;
 using kreda::scene::UserError;
-using kreda::tests::TempFolder;
 
 namespace {
-
-std::string error_of_file(const std::string& path, bool allow_outside = false) {
-    try {
-        kreda::scene::MeshFileOptions options;
-        options.allow_outside = allow_outside;
-        (void)load_mesh_file(path, options);
-    } catch (const UserError& error) { return error.what(); }
-    return "no error";
-}
-
-/// The message behind the folder's name: "a.obj:LINE:COL: ...".
-std::string error_of(const std::string& obj, const std::string& mtl = "") {
-    const TempFolder folder;
-    if (!mtl.empty()) folder.write("a.mtl", mtl);
-    const std::string message = error_of_file(folder.write("a.obj", obj));
-    const std::string start = folder.path.string() + "/";
-    return message.starts_with(start) ? message.substr(start.size()) : message;
-}
-
-bool has(const std::string& message, const std::string& words) {
-    return message.find(words) != message.npos;
-}
-
-const std::string kVertices = "v 0 0 0\nv 1 0 0\nv 0 1 0\n";
 
 struct Bad {
     std::string text;   // behind kVertices: starts in line 4

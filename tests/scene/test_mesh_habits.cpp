@@ -5,43 +5,14 @@
 
 #include <doctest/doctest.h>
 
-#include "tests/scene/temp_folder.hpp"
+#include "tests/scene/mesh_text.hpp"
 
+using namespace kreda::tests;
 using kreda::scene::load_mesh_file;
-using kreda::scene::LoadedMesh;
 using kreda::scene::other_format;
 using kreda::scene::UserError;
-using kreda::tests::TempFolder;
 
 namespace {
-
-const std::string kVertices = "v 0 0 0\nv 1 0 0\nv 0 1 0\n";
-
-bool has(const std::string& message, const std::string& words) {
-    return message.find(words) != message.npos;
-}
-
-/// Warnings without the folder's name.
-struct Result {
-    LoadedMesh loaded;
-    std::vector<std::string> warnings;
-};
-
-Result load(const TempFolder& folder, const std::string& file) {
-    Result result{load_mesh_file(folder.file(file)), {}};
-    const std::string start = folder.path.string() + "/";
-    for (const std::string& warning : result.loaded.warnings) {
-        result.warnings.push_back(warning.starts_with(start) ? warning.substr(start.size()) : warning);
-    }
-    return result;
-}
-
-Result load_text(const std::string& obj, const std::string& mtl = "") {
-    const TempFolder folder;
-    folder.write("a.obj", obj);
-    if (!mtl.empty()) folder.write("a.mtl", mtl);
-    return load(folder, "a.obj");
-}
 
 struct Odd {
     std::string text;   // behind kVertices: starts in line 4
@@ -49,7 +20,7 @@ struct Odd {
     std::string words;  // in it
 };
 
-std::string only_warning(const Result& result) {
+std::string only_warning(const LoadedText& result) {
     REQUIRE(result.warnings.size() == 1);
     return result.warnings[0];
 }
@@ -72,7 +43,7 @@ TEST_CASE("mesh habits: an odd line of an OBJ costs one warning, and the triangl
           Odd{"vt 0 -1.#IND\nf 1/1 2/1 3/1\n", "a.obj:4:6: '-1.#IND'", "0 is used instead"},
           Odd{"v 1 1 1 1 0 0\nf 1 2 3\n", "a.obj:4:1: 'v' with a colour", "1 vertices have one"}}) {
         CAPTURE(odd.text);
-        const Result result = load_text(kVertices + odd.text);
+        const LoadedText result = load_text(kVertices + odd.text);
         const std::string warning = only_warning(result);
         CAPTURE(warning);
         CHECK(warning.starts_with(odd.start));
@@ -83,14 +54,14 @@ TEST_CASE("mesh habits: an odd line of an OBJ costs one warning, and the triangl
 }
 
 TEST_CASE("mesh habits: indices of normals and texture coordinates in a file without any are left out") {
-    const Result result = load_text(kVertices + "f 1/1/1 2/2/1 3/3/1\n");
+    const LoadedText result = load_text(kVertices + "f 1/1/1 2/2/1 3/3/1\n");
     REQUIRE(result.warnings.size() == 6);  // three a kind
     CHECK(result.loaded.mesh.uvs.empty());
     CHECK(result.loaded.mesh.normals[0] == glm::vec3(0, 0, 1));
 }
 
 TEST_CASE("mesh habits: # is part of a number behind its point and starts a comment elsewhere") {
-    const Result result = load_text(kVertices + "vn -1.#IND 0 0\nf 1//1 2//1 3//1#c\n");
+    const LoadedText result = load_text(kVertices + "vn -1.#IND 0 0\nf 1//1 2//1 3//1#c\n");
     CHECK(has(only_warning(result), "normals have no length"));
     CHECK(result.loaded.mesh.normals[0] == glm::vec3(0, 0, 1));
 }
@@ -105,7 +76,7 @@ TEST_CASE("mesh habits: a backslash at the end of a comment joins nothing to it"
 TEST_CASE("mesh habits: of many warnings of a kind ten are shown, and how many more there are") {
     std::string text = kVertices + "f 1 2 3\n";
     for (int i = 0; i < 25; ++i) text += "f 1 2\n";
-    const Result result = load_text(text + "s on\n");
+    const LoadedText result = load_text(text + "s on\n");
     REQUIRE(result.warnings.size() == 12);
     CHECK(result.warnings[9].starts_with("a.obj:14:1: "));
     CHECK(result.warnings[10] == "a.obj: and 15 more: faces (f) of fewer than 3 corners");
@@ -126,7 +97,7 @@ TEST_CASE("mesh habits: an odd line of an MTL costs one warning, and the rest co
           Odd{"Ns -1\n", "a.mtl:3:4: '-1': Ns is the specular exponent", "0 is used"},
           Odd{"Pr 1.5\n", "a.mtl:3:4: '1.5': Pr is the roughness", "1 is used"}}) {
         CAPTURE(odd.text);
-        const Result result = load_text(obj, "newmtl m\nKd 0.25 0.5 0.75\n" + odd.text);
+        const LoadedText result = load_text(obj, "newmtl m\nKd 0.25 0.5 0.75\n" + odd.text);
         const std::string warning = only_warning(result);
         CAPTURE(warning);
         CHECK(warning.starts_with(odd.start));
@@ -142,7 +113,7 @@ TEST_CASE("mesh habits: a path of somebody else's disk leads to the file of that
     folder.write("wood.png", "x");
     folder.write("a.mtl", "newmtl m\nmap_Kd D:\\art\\wood.png\n");
     folder.write("a.obj", "mtllib /home/somebody/a.mtl\n" + kVertices + "usemtl m\nf 1 2 3\n");
-    const Result result = load(folder, "a.obj");
+    const LoadedText result = load(folder, "a.obj");
     REQUIRE(result.warnings.size() == 2);
     CHECK(has(result.warnings[0], "a.obj:1:1: '/home/somebody/a.mtl' is not there; "));
     CHECK(has(result.warnings[1], "a.mtl:2:1: 'D:\\art\\wood.png' is not there; "));
@@ -152,7 +123,7 @@ TEST_CASE("mesh habits: a path of somebody else's disk leads to the file of that
 
 TEST_CASE("mesh habits: of a long path the end is shown") {
     const std::string path = "C:\\" + std::string(200, 'x') + "\\the_file.png";
-    const Result result = load_text("mtllib a.mtl\n" + kVertices + "f 1 2 3\n", "newmtl m\nmap_Kd " + path + "\n");
+    const LoadedText result = load_text("mtllib a.mtl\n" + kVertices + "f 1 2 3\n", "newmtl m\nmap_Kd " + path + "\n");
     CHECK(has(only_warning(result), "xxx\\the_file.png'"));
     CHECK(has(only_warning(result), "'...xxx"));
 }
@@ -163,7 +134,7 @@ TEST_CASE("mesh habits: maps of an MTL go where they belong, options and capital
     const std::string face = kVertices + "usemtl m\nf 1 2 3\n";
     folder.write("a.obj", "mtllib a.mtl\n" + face);
     folder.write("a.mtl", "newmtl m\nmap_Kd kd.png\nmap_Bump -bm 0.5 bump it.png\nbump -bm 0.5 bump it.png\n");
-    Result result = load(folder, "a.obj");
+    LoadedText result = load(folder, "a.obj");
     CHECK(result.warnings.empty());
     const kreda::lighting::MaterialMaps maps = result.loaded.materials[0].maps;
     CHECK(maps.albedo.file == folder.file("kd.png"));
@@ -175,6 +146,25 @@ TEST_CASE("mesh habits: maps of an MTL go where they belong, options and capital
     result = load(folder, "a.obj");
     CHECK(result.loaded.materials[0].maps.normal.file == folder.file("norm.png"));
     CHECK_FALSE(result.loaded.materials[0].maps.normal_from_height);
+}
+
+TEST_CASE("mesh habits: a path that differs in capitals is found, and a name misspelt gets its neighbour's") {
+    const TempFolder folder;
+    folder.write("Textures/Wood.PNG", "x");
+    folder.write("Stone.mtl", "newmtl m\nmap_Kd textures\\wood.png\n");
+    folder.write("a.obj", "mtllib stone.MTL\n" + kVertices + "usemtl m\nf 1 2 3\n");
+    const LoadedText found = load(folder, "a.obj");
+    CHECK(found.loaded.materials.at(0).maps.diffuse.file == folder.file("Textures/Wood.PNG"));
+    REQUIRE(found.warnings.size() == 2);
+    CHECK(found.warnings[0].starts_with("a.obj:1:1: 'stone.MTL' is not there; '"));
+    CHECK(has(found.warnings[0], "Stone.mtl' is used instead"));
+    CHECK(has(found.warnings[1], "Textures/Wood.PNG' is used instead"));
+    folder.write("Stone.mtl", "newmtl m\nmap_Kd Textures/Woood.PNG\n");
+    folder.write("a.obj", "mtllib Stome.mtl\n" + kVertices + "f 1 2 3\n");
+    CHECK(has(load(folder, "a.obj").warnings.at(0), "no such material file: 'Stome.mtl'; did you mean 'Stone.mtl'?"));
+    folder.write("a.obj", "mtllib Stone.mtl\n" + kVertices + "usemtl m\nf 1 2 3\n");
+    CHECK(has(load(folder, "a.obj").warnings.at(0),
+              "no such image file: 'Textures/Woood.PNG'; drawn without it; did you mean 'Wood.PNG'?"));
 }
 
 TEST_CASE("mesh habits: other formats are called by their names, with the way to an OBJ") {

@@ -113,6 +113,9 @@ std::vector<NamedScene> make_scenes() {
     add("maps", microfacets("albedo_map = \"colors.png\"\nroughness_map = \"grey.png\"\nnormal_map = \"bumps.png\"\n"));
     add("diffuse map", model("phong") + "diffuse_map = \"colors.png\"\ntexture_filter = \"bilinear\"\n");
     add("unlit map", model("unlit") + "diffuse_map = \"colors.png\"\n");
+    add("emission map", model("phong") + "emission_map = \"colors.png\"\n");
+    add("emission map, unlit", model("unlit") + "diffuse_map = \"grey.png\"\nemission_map = \"colors.png\"\n");
+    add("emission map, microfacets", microfacets("emission_map = \"colors.png\"\nbump_map = \"grey.png\"\n"));
     add("no culling", model("phong"), "[shading]\ncull = \"none\"\n");
     const auto add_surrounded = [&](const std::string& name, const std::string& material,
                                     const std::string& environment) {

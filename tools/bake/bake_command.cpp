@@ -135,6 +135,8 @@ void bake_command(const BakeOptions& options) {
 }
 
 constexpr const char* kExamples = R"(
+IMAGE should be twice as wide as high: Radiance (.hdr) and OpenEXR (.exr) hold light of any strength; PNG, JPEG, TIFF, WebP and
+whatever else OpenImageIO reads end at 1, and their 8 or 16 bits are decoded as sRGB.
 DIR gets, and files of the same names there are replaced:
   environment.exr        the environment as a cube map: six faces side by side, +x -x +y -y +z -z, as OpenGL stores them
   prefiltered_1.exr ...  the same as a surface of each roughness mirrors it; sh9.json says which file is which roughness
@@ -156,7 +158,7 @@ void add_bake_command(CLI::App& app) {
     CLI::App* command = app.add_subcommand("bake", "Write the maps of light from an image or a sky as EXR files");
     const auto options = std::make_shared<BakeOptions>();
     command->add_option("environment", options->environment, "An equirectangular image, or the name of a built-in sky")
-        ->type_name("ENV.hdr|ENV.exr|SKY")
+        ->type_name("IMAGE|SKY")
         ->required();
     command->add_option("-o,--output", options->output, "Folder for the files, made if need be")
         ->type_name("DIR")

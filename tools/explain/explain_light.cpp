@@ -63,17 +63,28 @@ void explain_directions(const LitPoint& point, const LightingChannels& c, Sectio
                      c.v.at(0));
 }
 
+/// m_E, with a line of its own where a map has a say.
+glm::vec3 explain_emission(const lighting::MaterialSetup& setup, const LightingChannels& c, Section& section) {
+    const glm::vec3 constant = setup.material.phong.emission;
+    if (!setup.maps.emission.texture) return constant;
+    const glm::vec3 of_map = c.map_emission.at(0);
+    section.equation("m_E", "emission ⊗ emission_map", vector_text(constant) + " ⊗ " + vector_text(of_map),
+                     constant * of_map);
+    return constant * of_map;
+}
+
 /// What the surface shows without lamps and without an environment.
-glm::vec3 explain_own_light(const LitPoint& point, const lighting::Material& material, Section& section) {
-    const lighting::PhongMaterial& m = material.phong;
-    if (material.model == ReflectionModel::cook_torrance) {
-        section.equation("ambient", "m_E", "", m.emission, "the microfacet model knows no ambient light");
-        return m.emission;
+glm::vec3 explain_own_light(const LitPoint& point, const LightingChannels& c, Section& section) {
+    const lighting::MaterialSetup& setup = point.frame.plan.materials[point.material];
+    const glm::vec3 m_E = explain_emission(setup, c, section);
+    if (setup.material.model == ReflectionModel::cook_torrance) {
+        section.equation("ambient", "m_E", "", m_E, "the microfacet model knows no ambient light");
+        return m_E;
     }
-    const glm::vec3 s_A = point.frame.lighting.ambient;
-    const glm::vec3 ambient = lighting::ambient_term(s_A, m.ambient) + m.emission;
+    const glm::vec3 s_A = point.frame.lighting.ambient, m_A = setup.material.phong.ambient;
+    const glm::vec3 ambient = lighting::ambient_term(s_A, m_A) + m_E;
     section.equation("ambient", "s_A ⊗ m_A + m_E",
-                     vector_text(s_A) + " ⊗ " + vector_text(m.ambient) + " + " + vector_text(m.emission), ambient);
+                     vector_text(s_A) + " ⊗ " + vector_text(m_A) + " + " + vector_text(m_E), ambient);
     return ambient;
 }
 
@@ -83,11 +94,12 @@ void explain_ambient(const LitPoint& point, const LightingChannels& c, Section& 
     const lighting::Material& material = setup.material;
     if (material.model == ReflectionModel::unlit) {
         const glm::vec3 m_D = setup.maps.diffuse.texture ? c.m_D.at(0) : material.phong.diffuse;
-        section.equation("ambient", "m_D + m_E", vector_text(m_D) + " + " + vector_text(material.phong.emission),
-                         c.ambient.at(0), "unlit: no light matters");
+        const glm::vec3 m_E = explain_emission(setup, c, section);
+        section.equation("ambient", "m_D + m_E", vector_text(m_D) + " + " + vector_text(m_E), c.ambient.at(0),
+                         "unlit: no light matters");
         return;
     }
-    const glm::vec3 own = explain_own_light(point, material, section);
+    const glm::vec3 own = explain_own_light(point, c, section);
     if (!point.frame.plan.lit_by_environment) return;
     explain_environment(point, c, section);
     section.equation("ambient", "ambient + env_D + env_S",

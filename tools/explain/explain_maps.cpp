@@ -17,6 +17,7 @@ glm::vec3 value_of(const lighting::MapUse& use, const LightingChannels& c) {
     const lighting::MicrofacetChannels& m = c.microfacet;
     if (use.map == &MaterialMaps::albedo) return m.albedo.at(0);
     if (use.map == &MaterialMaps::diffuse) return c.m_D.at(0);
+    if (use.map == &MaterialMaps::emission) return c.map_emission.at(0);
     if (use.map == &MaterialMaps::normal) return c.map_normal.at(0);
     if (use.map == &MaterialMaps::metallic) return glm::vec3(m.metallic.at(0));
     return glm::vec3(use.map == &MaterialMaps::roughness ? m.roughness.at(0) : m.ao.at(0));

@@ -1,0 +1,60 @@
+// Meshes as texts, for tests: what a text becomes, its warnings, and what is complained about, without the folder's
+// name.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "scene/files/mesh_file.hpp"
+#include "tests/scene/temp_folder.hpp"
+
+namespace kreda::tests {
+
+inline const std::string kVertices = "v 0 0 0\nv 1 0 0\nv 0 1 0\n";
+
+[[nodiscard]] inline bool has(const std::string& message, const std::string& words) {
+    return message.find(words) != message.npos;
+}
+
+/// "a.obj:LINE:COL: ..." instead of "/tmp/.../a.obj:LINE:COL: ...".
+[[nodiscard]] inline std::string without_folder(const TempFolder& folder, const std::string& message) {
+    const std::string start = folder.path.string() + "/";
+    return message.starts_with(start) ? message.substr(start.size()) : message;
+}
+
+struct LoadedText {
+    scene::LoadedMesh loaded;
+    std::vector<std::string> warnings;
+};
+
+[[nodiscard]] inline LoadedText load(const TempFolder& folder, const std::string& file) {
+    LoadedText result{scene::load_mesh_file(folder.file(file)), {}};
+    for (const std::string& warning : result.loaded.warnings)
+        result.warnings.push_back(without_folder(folder, warning));
+    return result;
+}
+
+/// a.obj and, where it is given, a.mtl.
+[[nodiscard]] inline LoadedText load_text(const std::string& obj, const std::string& mtl = "") {
+    const TempFolder folder;
+    folder.write("a.obj", obj);
+    if (!mtl.empty()) folder.write("a.mtl", mtl);
+    return load(folder, "a.obj");
+}
+
+[[nodiscard]] inline std::string error_of_file(const std::string& path, bool allow_outside = false) {
+    try {
+        scene::MeshFileOptions options;
+        options.allow_outside = allow_outside;
+        (void)scene::load_mesh_file(path, options);
+    } catch (const scene::UserError& error) { return error.what(); }
+    return "no error";
+}
+
+[[nodiscard]] inline std::string error_of(const std::string& obj, const std::string& mtl = "") {
+    const TempFolder folder;
+    if (!mtl.empty()) folder.write("a.mtl", mtl);
+    return without_folder(folder, error_of_file(folder.write("a.obj", obj)));
+}
+
+}  // namespace kreda::tests
