@@ -1,4 +1,4 @@
-// The tests' question to every frame: does the fast rasterizer see what the lecture's one sees?
+// Compares a frame of the fast rasterizer with raster/rasterize_reference.cpp; tests ask for it.
 #pragma once
 
 #include "scene/render/frame.hpp"
