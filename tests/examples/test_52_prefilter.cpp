@@ -10,6 +10,8 @@
 
 #include "course.hpp"
 #include "environment_rays.hpp"
+#include "examples/irradiance_error.hpp"
+#include "examples/prefilter_levels.hpp"
 #include "lighting/environment/environment_image.hpp"
 #include "lighting/environment/prefilter.hpp"
 
@@ -61,6 +63,27 @@ TEST_CASE("52_prefilter: the errors of the page are those against the integral i
     // 200 directions of green alone: the sun's lobe is met by a dozen of them.
     CHECK(100.0 * error_mips / light == number("mips_256").epsilon(0.3));
     CHECK(100.0 * error_alone / light == number("plain_256").epsilon(0.3));
+}
+
+TEST_CASE("52_prefilter: the table of errors holds what so many samples give") {
+    const lighting::CubeMap sky = lighting::cube_from_sky(lighting::Sky::sunset, 64);
+    const lighting::CubeMap plain = examples::without_mips(sky);
+    for (const auto& [roughness, alpha] : {std::pair("roughness 0.5", 0.25f), std::pair("roughness 1", 1.0f)}) {
+        const lighting::CubeMap exact = examples::exact_level(sky, alpha, 8);
+        for (const bool mips : {false, true}) {
+            const std::string row = std::string(roughness) + (mips ? ", from mips" : ", plain");
+            CAPTURE(row);
+            const std::vector<QuotedNumber> quoted = documented_row("52_prefilter", "mean error on this sky", row);
+            REQUIRE(quoted.size() == 5);
+            std::size_t cell = 0;
+            for (const int samples : {16, 64, 256, 1024, 4096}) {
+                const lighting::CubeMap level = examples::sampled_level(mips ? sky : plain, alpha, samples, 8);
+                const double percent = 100.0 * examples::map_error(level, exact).mean;
+                CAPTURE(percent);
+                CHECK(rounds_to(percent, quoted[cell++]));
+            }
+        }
+    }
 }
 
 TEST_CASE("52_prefilter: a blur moves light and makes none so every level has the mean of the sky") {
