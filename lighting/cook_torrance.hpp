@@ -18,7 +18,7 @@
 
 namespace kreda::lighting {
 
-/// F0 of every dielectric whose index nobody knows: n = 1.5.
+/// F0 of a dielectric whose index is not given: n = 1.5.
 inline constexpr float kDielectricF0 = 0.04f;
 
 /// What may vary from point to point (maps), ready for the formulas.

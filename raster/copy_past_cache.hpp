@@ -1,4 +1,5 @@
-// Writing what nobody reads soon: a film is larger than the caches, and a store that misses reads the line first.
+// Writes floats past the caches. A film is larger than they are and is not read soon; an ordinary store would first
+// read the cache line that it changes.
 #pragma once
 
 #include <cstddef>

@@ -1,4 +1,5 @@
-// Every visible sample with its attributes, one after another: for pictures that nobody waits for.
+// Visits every visible sample with its attributes, one after another. Simple and slow: examples use it for small
+// pictures.
 #pragma once
 
 #include <functional>

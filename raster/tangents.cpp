@@ -17,7 +17,8 @@ glm::dvec3 direction_of(const glm::dvec3& v) {
     return length > 0.0 && std::isfinite(length) ? v / length : glm::dvec3(0.0);
 }
 
-/// What a triangle says: the direction of dP/du, and whether uv runs clockwise on it. 0: its uvs lie on a line.
+/// The tangent that follows from one triangle: the direction of dP/du, and whether uv runs clockwise on it. 0: its uvs
+/// lie on a line, so nothing follows.
 struct TriangleTangent {
     glm::dvec3 direction{0.0};
     int side = 0;  ///< +1, -1 mirrored, 0 nothing
@@ -90,7 +91,7 @@ glm::vec4 vertex_tangent(const Sums& sums, std::size_t side, const glm::vec3& no
     return {glm::vec3(any_perpendicular(n)), 1.0f};
 }
 
-/// Vertices in the order of their first use, those that nobody uses at the end: no part's vertices lie among those of
+/// Sorts vertices by their first use, those without a use at the end: no part's vertices lie among those of
 /// another part that way, although copies were appended.
 void sort_by_first_use(Mesh& mesh) {
     constexpr std::uint32_t kNone = 0xffffffffu;

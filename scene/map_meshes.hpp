@@ -1,4 +1,4 @@
-// What maps ask of the meshes that wear them: texture coordinates, and tangents for normal maps.
+// Gives meshes what maps need: texture coordinates are checked, tangents for normal maps are made.
 #pragma once
 
 #include "scene/scene.hpp"

@@ -42,7 +42,7 @@ struct ImageSettings {
     float gamma = 2.2f;
 };
 
-/// What of them develops a film into a picture.
+/// The settings that turn the linear film into the picture: exposure, tone map and transfer function.
 [[nodiscard]] inline raster::FilmSettings film_settings(const ImageSettings& image) {
     return {image.exposure, image.tone_map, image.white, image.transfer, image.gamma};
 }

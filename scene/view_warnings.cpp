@@ -55,7 +55,7 @@ double round_down(double x) {
     return std::floor(x / step) * step;
 }
 
-/// An object needs some sixteen depths from front to back, and none finer than what a pixel shows.
+/// An object needs some 32 depths from middle to front, and none finer than what a pixel shows.
 bool has_too_few_depths(const raster::Camera& camera, const DepthRange& range) {
     constexpr double kDepths = 32.0, kPixels = 64.0;
     const double z = 0.5 * (range.least + range.greatest);

@@ -68,7 +68,7 @@ struct ShadowSettings {
 ///     void irregular_shadow(std::span<const Occluder> occluders, const ShadowLight& light,
 ///                           const VisibleSamples& samples, std::span<float> shadow);
 ///
-/// It fills one factor for every sample of the viewport; what it writes where nothing is seen, nobody reads. A planar
+/// It fills one factor for every sample of the viewport; what it writes where nothing is seen is not read. A planar
 /// shadow takes its plane besides, and treats every sample as if it lay on the plane: the scene reads the answer only
 /// where the receiving object is seen.
 

@@ -1,6 +1,6 @@
 // 13_perspective: a checkerboard interpolated affinely on the screen, and divided by w as perspective demands.
 // Page docs/13_perspective.md | After 12_camera | New: AttributeInterpolation, interpolate_runs()
-// Break at: run_weights | Look at: weights.scale, corner[i]->inv_w | Try: kSquares 2 and 32, target.y 0.6
+// Break at: run_weights | Look at: a.inv_w, weights.a.scale | Try: kSquares 2 and 32, target.y 0.6
 #include <string>
 
 #include "examples/draw.hpp"

@@ -1,4 +1,4 @@
-// 30_fog: linear, exponential and squared exponential fog on a row of pillars, and the three curves.
+// 30_fog: linear, exponential and squared exponential fog on a row of balls, and the three curves.
 // Page docs/30_fog.md | After 22_phong_terms | New: Fog, fog_linear(), fog_exp(), fog_exp2(), mix_fog()
 // Break at: fog_exp | Look at: z_p, optical_depth | Try: density 0.3, start 8
 #include "examples/example.hpp"

@@ -1,4 +1,4 @@
-// 31_fog_distance: distance from the image plane or from the eye; turn the camera and planar fog changes.
+// 31_fog_distance: distance along the view direction or from the eye; turn the camera and planar fog changes.
 // Page docs/31_fog_distance.md | After 30_fog | New: planar_distance(), radial_distance()
 // Break at: planar_distance | Look at: z, p | Try: vertical_fov_deg 90
 #include <cmath>
@@ -15,7 +15,7 @@ namespace {
 
 const glm::vec3 kMist = srgb(0x9fb2bd);
 
-/// Balls on a circle around the eye, all at distance 5: radial fog must treat them alike.
+/// Balls in a ring around the eye, all 5 away along the ground: radial fog must treat them alike.
 scene::Scene make_scene(glm::ivec2 size, lighting::FogDistance distance, double turn_deg) {
     scene::Scene scene = empty_scene(size);
     scene.image.background = kMist;

@@ -132,7 +132,7 @@ bool looks_like_normals(const raster::Image& image) {
     return 10 * blue > 9 * image.plane_size();
 }
 
-/// A file read in one way, and whether somebody wants its pyramid.
+/// A file read in one way, and whether some material needs its pyramid.
 struct Wanted {
     bool with_pyramid = false;
     std::shared_ptr<const raster::Texture> texture;

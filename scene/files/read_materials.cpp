@@ -21,7 +21,7 @@ bool is_metal(const lighting::MeasuredMaterial& material) {
     throw UserError(key.place, in_quotes(key.key) + " in [[material]] needs " + what);
 }
 
-/// n and k: given for three channels, or measured by somebody.
+/// n and k: three numbers each, or a measured material by its name.
 void read_index(const Value& table, lighting::CookTorranceMaterial& material) {
     if (find(table, "ior")) read(table, "ior", material.ior.emplace());
     if (find(table, "extinction")) read(table, "extinction", material.extinction.emplace());

@@ -30,7 +30,7 @@ namespace {
 constexpr std::size_t kMaxDots = 100;
 constexpr std::size_t kMaxValues = 200'000;
 constexpr std::size_t kMaxListed = 24;
-constexpr std::size_t kLongestWord = 60;  ///< nobody meant a longer one
+constexpr std::size_t kLongestWord = 60;  ///< to a longer one no known word is compared
 
 Place place_at(const toml::source_position& position, const std::string& name) {
     return {name, static_cast<int>(position.line), static_cast<int>(position.column)};

@@ -13,7 +13,8 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// A name in the folder of `path` that nobody else uses: the rename that ends the writing must not cross file systems.
+/// A name in the folder of `path` that no other process uses: the rename that ends the writing must not cross file
+/// systems.
 fs::path temporary_name(const fs::path& path) {
     std::random_device random;
     std::string name = ".";

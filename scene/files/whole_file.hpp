@@ -11,8 +11,8 @@ namespace kreda::scene {
 /// Bytes that stand one after another in a file.
 using Bytes = std::span<const std::byte>;
 
-/// Write under a name that nobody else uses, then rename: a reader never sees half a file, and a failure leaves the old
-/// one alone. Throws UserError.
+/// Write under a name that no other process uses, then rename: a reader never sees half a file, and a failure leaves
+/// the old one alone. Throws UserError.
 void write_whole_file(const std::string& path, const std::vector<Bytes>& parts);
 
 }  // namespace kreda::scene

@@ -20,7 +20,7 @@ raster::CullMode cull_mode(Cull cull) {
     return raster::CullMode::back;
 }
 
-/// Which attributes of a vertex somebody will read.
+/// The attributes of a vertex that a later pass reads.
 raster::VertexNeeds vertex_needs(const Scene& scene, const RenderPlan& plan) {
     const bool lit_at_pixels = plan.frequency == ShadingFrequency::phong;
     const bool lit_at_vertices = plan.frequency == ShadingFrequency::gouraud;

@@ -162,8 +162,8 @@ void render_tile(const Frame& frame, int tile_index, TileScratch& scratch) {
 
 namespace {
 
-/// The tile with the pixel that a debugger wants to see is drawn first, so that nobody waits for the others; -1: there
-/// is none.
+/// The number of the tile with the pixel that a debugger wants to see; -1 if there is none. It is drawn before all
+/// others, so that the debugger stops at once.
 int tile_to_debug(const Frame& frame) {
     if (debug_pixel.x < 0) return -1;
     const raster::TileGrid& grid = frame.buffers.triangles.grid;

@@ -1,8 +1,10 @@
 #include "course.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <filesystem>
 #include <fstream>
+#include <regex>
 #include <sstream>
 #include <stdexcept>
 
@@ -45,11 +47,52 @@ std::string repository_text(const std::string& path) {
 }
 
 double documented_number(const std::string& example, const std::string& key) {
+    return quoted_number(example, key).value;
+}
+
+bool rounds_to(double number, const QuotedNumber& quoted) {
+    return std::abs(number - quoted.value) <= 0.5001 * quoted.step;  // the page's own decimal fraction is no double
+}
+
+std::vector<QuotedNumber> numbers_in(const std::string& text) {
+    std::string plain = std::regex_replace(text, std::regex("<!--.*?-->"), "");
+    plain = std::regex_replace(plain, std::regex("\u2212"), "-");
+    // A sign, digits with a fraction, an exponent; not inside a word.
+    const std::regex number(R"((^|[^\w.])(-?)(\d+)(\.\d+)?(e-?\d+)?(?!\w))");
+    std::vector<QuotedNumber> numbers;
+    for (std::sregex_iterator it(plain.begin(), plain.end(), number), end; it != end; ++it) {
+        const std::smatch& match = *it;
+        const double sign = match[2].length() > 0 ? -1.0 : 1.0;
+        const int decimals = match[4].matched ? static_cast<int>(match[4].length()) - 1 : 0;
+        const double scale = std::stod("1" + match[5].str());
+        numbers.push_back({sign * std::stod(match[3].str() + match[4].str()) * scale, scale * std::pow(0.1, decimals)});
+    }
+    return numbers;
+}
+
+QuotedNumber quoted_number(const std::string& example, const std::string& key) {
     const std::string text = repository_text("docs/" + example + ".md");
     const std::string mark = "<!-- number: " + key + " = ";
     const std::size_t at = text.find(mark);
     REQUIRE_MESSAGE(at != std::string::npos, "docs/", example, ".md has no mark ", mark);
-    return std::stod(text.substr(at + mark.size()));
+    const std::size_t digits = at + mark.size();
+    return numbers_in(text.substr(digits, text.find(" -->", digits) - digits)).at(0);
+}
+
+std::vector<QuotedNumber> documented_row(const std::string& example, const std::string& heading,
+                                         const std::string& row) {
+    std::istringstream page(repository_text("docs/" + example + ".md"));
+    bool in_table = false;
+    for (std::string line; std::getline(page, line);) {
+        if (!line.starts_with("|")) {
+            if (in_table) break;
+            continue;
+        }
+        in_table = in_table || line.find(heading) != std::string::npos;
+        if (in_table && line.starts_with("| " + row + " |")) return numbers_in(line.substr(row.size() + 3));
+    }
+    FAIL("docs/", example, ".md has no table ", heading, " with a row ", row);
+    return {};
 }
 
 }  // namespace kreda::tests

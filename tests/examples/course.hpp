@@ -24,4 +24,24 @@ namespace kreda::tests {
 /// The number that docs/NAME.md quotes and marks on the same line with <!-- number: KEY = VALUE -->.
 [[nodiscard]] double documented_number(const std::string& example, const std::string& key);
 
+/// A number as a page writes it: "0.98" is 0.98, and one step of its last digit is 0.01; "1.8e-7" has steps of 0.1e-7.
+struct QuotedNumber {
+    double value = 0.0;
+    double step = 1.0;
+};
+
+/// Does the number, rounded to the digits that the page shows, give what the page shows?
+[[nodiscard]] bool rounds_to(double number, const QuotedNumber& quoted);
+
+/// All numbers of a text, "12.1 %, 4" has two. Marks in <!-- --> and the digits of names such as F82 do not count.
+[[nodiscard]] std::vector<QuotedNumber> numbers_in(const std::string& text);
+
+/// The same number as documented_number(), with its digits.
+[[nodiscard]] QuotedNumber quoted_number(const std::string& example, const std::string& key);
+
+/// The numbers of one row of a table in docs/NAME.md, from left to right without the first cell. The table is the first
+/// one whose heading holds `heading`; of its rows the one whose first cell is `row`.
+[[nodiscard]] std::vector<QuotedNumber> documented_row(const std::string& example, const std::string& heading,
+                                                       const std::string& row);
+
 }  // namespace kreda::tests

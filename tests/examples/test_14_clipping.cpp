@@ -8,6 +8,7 @@
 #include "course.hpp"
 #include "raster/camera.hpp"
 #include "raster/clip.hpp"
+#include "raster/screen.hpp"
 
 using namespace kreda;
 using namespace kreda::tests;
@@ -45,4 +46,9 @@ TEST_CASE("14 clipping: a guard band of 2 cuts two corners off and adds four") {
     const raster::ClipPolygon polygon =
         raster::clip_triangle({0.5f, 0.1f, 0, 1}, {1.5f, 2.5f, 0, 1}, {2.6f, -0.7f, 0, 1}, 2.0f, 2.0f);
     CHECK(polygon.count == documented_number("14_clipping", "guard_corners"));
+}
+
+TEST_CASE("14 clipping: the guard band of a picture 640 wide is the page's") {
+    // Half of 640 is 320; 16383 / 320 = 51.2, and 32 is the power of two below.
+    CHECK(raster::guard_band_ndc(640) == documented_number("14_clipping", "guard_640"));
 }

@@ -57,17 +57,30 @@ TEST_CASE("40_fresnel: the exact curve of platinum's red dips to its known minim
     CHECK(std::abs(least - 0.627162) < 2.0 * one_row);  // by a program of its own in long double, at 76.25 degrees
 }
 
-TEST_CASE("40_fresnel: the page quotes what a hundred thousand angles give") {
-    const std::vector<float> cosines = cosines_of_even_angles(100'000);
-    const auto errors = [&](const char* name) {
+TEST_CASE("40_fresnel: every number of the page's table is what a million angles give") {
+    const std::vector<float> cosines = cosines_of_even_angles(1'000'000);
+    std::vector<std::vector<double>> errors;
+    for (const char* name : {"gold", "platinum", "water", "diamond"}) {
         const lighting::ThreeChannelIndex index = lighting::published_index(name);
-        return mean_errors_percent(fresnel_curves(index), index, cosines);
-    };
-    CHECK(errors("gold")[1] == doctest::Approx(documented_number("40_fresnel", "gold_schlick")).epsilon(0.005));
-    const std::vector<double> platinum = errors("platinum");
-    CHECK(platinum[2] == doctest::Approx(documented_number("40_fresnel", "platinum_corrected")).epsilon(0.003));
-    CHECK(platinum[4] == doctest::Approx(documented_number("40_fresnel", "platinum_f82")).epsilon(0.01));
-    CHECK(platinum[5] == doctest::Approx(documented_number("40_fresnel", "platinum_table")).epsilon(0.005));
+        errors.push_back(mean_errors_percent(fresnel_curves(index), index, cosines));
+    }
+    const std::pair<const char*, std::size_t> rows[] = {
+        {"(4) Schlick with k", 1}, {"(5) corrected", 2}, {"(6) F82", 4}, {"(7) table of 16", 5}};
+    for (const auto& [row, method] : rows) {
+        CAPTURE(std::string(row));
+        const std::vector<QuotedNumber> quoted = documented_row("40_fresnel", "gold", row);
+        REQUIRE(quoted.size() == errors.size());
+        for (std::size_t m = 0; m < errors.size(); ++m) {
+            CAPTURE(m);
+            CAPTURE(errors[m][method]);
+            CHECK(rounds_to(errors[m][method], quoted[m]));
+        }
+    }
+    CHECK(rounds_to(errors[0][3], quoted_number("40_fresnel", "gold_as_printed")));
+    CHECK(rounds_to(errors[1][3], quoted_number("40_fresnel", "platinum_as_printed")));
+}
+
+TEST_CASE("40_fresnel: the numbers of the page worked by hand") {
     CHECK(lighting::f0_from_index(1.5f, 0.0f) == doctest::Approx(documented_number("40_fresnel", "glass")));
     const double brewster = documented_number("40_fresnel", "brewster") * std::numbers::pi / 180.0;
     CHECK(std::tan(brewster) == doctest::Approx(4.01).epsilon(0.01));

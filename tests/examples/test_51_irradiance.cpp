@@ -9,6 +9,7 @@
 
 #include "course.hpp"
 #include "environment_rays.hpp"
+#include "examples/irradiance_error.hpp"
 #include "lighting/environment/environment_image.hpp"
 #include "lighting/environment/irradiance.hpp"
 #include "scene/files/image_file.hpp"
@@ -94,6 +95,44 @@ TEST_CASE("51_irradiance: the numbers of the page for the studio are those of a 
     const double x = pi / 8.0;
     CHECK(x / std::sin(x) == number("four_angles").epsilon(1e-4));
     CHECK(0.25 + 0.5 + 5.0 / 16.0 == number("one_light"));
+}
+
+TEST_CASE("51_irradiance: the table of the four ways holds what they give") {
+    const lighting::CubeMap radiance = lighting::cube_from_sky(lighting::Sky::studio, 64);
+    const lighting::Sh9 sh = project_to_sh9(radiance);
+    const std::pair<const char*, glm::vec3> rows[] = {{"up", {0, 1, 0}}, {"down", {0, -1, 0}}, {"to −z", {0, 0, -1}}};
+    for (const auto& [row, n] : rows) {
+        CAPTURE(std::string(row));
+        const std::vector<float> E = {irradiance_of_texels(radiance, n).y,
+                                      irradiance_of_hemisphere(radiance, n, 16, 4).y,
+                                      irradiance_of_cosine(radiance, n, 64).y, irradiance_of_sh9(sh, n).y};
+        const std::vector<QuotedNumber> quoted = documented_row("51_irradiance", "every texel", row);
+        REQUIRE(quoted.size() == E.size());
+        for (std::size_t i = 0; i < E.size(); ++i) CHECK(rounds_to(E[i] / pi, quoted[i]));
+    }
+}
+
+TEST_CASE("51_irradiance: the table of errors holds what maps of 1536 normals give") {
+    constexpr int kSize = 16;
+    const lighting::CubeMap radiance = lighting::cube_from_sky(lighting::Sky::studio, 64);
+    const lighting::CubeMap exact = examples::every_texel(kSize).make(radiance);
+    const std::pair<const char*, lighting::IrradianceSum> rows[] = {
+        {"double sum: error, time", lighting::IrradianceSum::hemisphere},
+        {"cosine-weighted", lighting::IrradianceSum::cosine}};
+    for (const auto& [row, sum] : rows) {
+        const std::vector<QuotedNumber> quoted = documented_row("51_irradiance", "1536 normals", row);
+        std::size_t cell = 0;  // two numbers each: error and time
+        for (const examples::IrradianceWay& way : examples::sampling_ways(sum, kSize)) {
+            if (way.samples < 64) continue;
+            CAPTURE(way.samples);
+            CHECK(rounds_to(100.0 * map_error(way.make(radiance), exact).mean, quoted.at(cell)));
+            cell += 2;
+        }
+        if (sum == lighting::IrradianceSum::cosine) {
+            const lighting::CubeMap nine = examples::nine_coefficients(kSize).make(radiance);
+            CHECK(rounds_to(100.0 * map_error(nine, exact).mean, quoted.at(cell)));
+        }
+    }
 }
 
 TEST_CASE("51_irradiance: nine numbers err on every sky less than on one light") {

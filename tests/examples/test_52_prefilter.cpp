@@ -10,6 +10,8 @@
 
 #include "course.hpp"
 #include "environment_rays.hpp"
+#include "examples/irradiance_error.hpp"
+#include "examples/prefilter_levels.hpp"
 #include "lighting/environment/environment_image.hpp"
 #include "lighting/environment/prefilter.hpp"
 
@@ -42,6 +44,15 @@ TEST_CASE("52_prefilter: the sample of the page worked by hand") {
     CHECK(0.5 * std::log2(share / (4.0 * pi / (6.0 * 64.0 * 64.0))) == number("lod").epsilon(2e-3));
 }
 
+TEST_CASE("52_prefilter: the sun of the sunset is so many times as bright as the sky beside it") {
+    const dvec3 sun = glm::normalize(dvec3(0.2, 0.0995, -0.9747));  // lighting/environment/sky.hpp
+    const dvec3 beside = glm::normalize(sun + 0.06 * dvec3(0.9747, 0.0, 0.2));  // 3.4 degrees aside, as high
+    const auto red = [](const dvec3& d) {
+        return double{lighting::sky_radiance(lighting::Sky::sunset, glm::vec3(d)).x};
+    };
+    CHECK(rounds_to(red(sun) / red(beside), {documented_number("52_prefilter", "sun"), 10.0}));
+}
+
 TEST_CASE("52_prefilter: the errors of the page are those against the integral in double") {
     const std::vector<Ray> rays = rays_of_sky(lighting::Sky::sunset, 512);
     const lighting::CubeMap sky = lighting::cube_from_sky(lighting::Sky::sunset, 64);
@@ -59,8 +70,30 @@ TEST_CASE("52_prefilter: the errors of the page are those against the integral i
         error_alone += std::abs(double{alone[i].y} - want);
     }
     // 200 directions of green alone: the sun's lobe is met by a dozen of them.
-    CHECK(100.0 * error_mips / light == number("mips_256").epsilon(0.3));
-    CHECK(100.0 * error_alone / light == number("plain_256").epsilon(0.3));
+    const auto quoted = [](const char* row) { return documented_row("52_prefilter", "mean error", row).at(2).value; };
+    CHECK(100.0 * error_mips / light == doctest::Approx(quoted("roughness 0.5, from mips")).epsilon(0.3));
+    CHECK(100.0 * error_alone / light == doctest::Approx(quoted("roughness 0.5, plain")).epsilon(0.3));
+}
+
+TEST_CASE("52_prefilter: the table of errors holds what so many samples give") {
+    const lighting::CubeMap sky = lighting::cube_from_sky(lighting::Sky::sunset, 64);
+    const lighting::CubeMap plain = examples::without_mips(sky);
+    for (const auto& [roughness, alpha] : {std::pair("roughness 0.5", 0.25f), std::pair("roughness 1", 1.0f)}) {
+        const lighting::CubeMap exact = examples::exact_level(sky, alpha, 8);
+        for (const bool mips : {false, true}) {
+            const std::string row = std::string(roughness) + (mips ? ", from mips" : ", plain");
+            CAPTURE(row);
+            const std::vector<QuotedNumber> quoted = documented_row("52_prefilter", "mean error on this sky", row);
+            REQUIRE(quoted.size() == 5);
+            std::size_t cell = 0;
+            for (const int samples : {16, 64, 256, 1024, 4096}) {
+                const lighting::CubeMap level = examples::sampled_level(mips ? sky : plain, alpha, samples, 8);
+                const double percent = 100.0 * examples::map_error(level, exact).mean;
+                CAPTURE(percent);
+                CHECK(rounds_to(percent, quoted[cell++]));
+            }
+        }
+    }
 }
 
 TEST_CASE("52_prefilter: a blur moves light and makes none so every level has the mean of the sky") {

@@ -50,6 +50,14 @@ TEST_CASE("95_depth_precision: the documented steps follow from the closed forms
     CHECK(raster::window_depth(2.0 * n, n, f) == doctest::Approx(0.5).epsilon(0.001));  // half of the values up to 2n
 }
 
+TEST_CASE("95_depth_precision: a near plane of 1e-7 stores everything beyond the page's distance as one depth") {
+    // 1 - n / z rounds to 1 where n / z < 2^-25.
+    const double z = 1e-7 * std::exp2(25.0);
+    CHECK(rounds_to(z, quoted_number("95_depth_precision", "lost")));
+    CHECK(stored_depth(DepthFormat::float32, 1.01 * z, 1e-7, 1e9) == 1.0);
+    CHECK(stored_depth(DepthFormat::float32, 0.99 * z, 1e-7, 1e9) < 1.0);
+}
+
 TEST_CASE("95_depth_precision: trying finds no gap larger than a step and rarely one much smaller") {
     for (const DepthFormat format : kAll) {
         CAPTURE(static_cast<int>(format));

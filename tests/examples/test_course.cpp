@@ -89,17 +89,36 @@ TEST_CASE("course: every identifier of an In the code table is in the file named
     }
 }
 
-TEST_CASE("course: every marked number stands in words on its own line") {
+TEST_CASE("course: every marked number stands in words on its own line and a test asks for it") {
+    std::string tests;
+    for (const auto& file : std::filesystem::directory_iterator(KREDA_SOURCE_DIR "/tests/examples")) {
+        tests += repository_text("tests/examples/" + file.path().filename().string());
+    }
     const std::regex mark("<!-- number: ([A-Za-z0-9_]+) = ([-0-9.e]+) -->");
     for (const std::string& name : example_names()) {
         for (const std::string& line : lines_of(repository_text("docs/" + name + ".md"))) {
-            std::smatch match;
-            if (!std::regex_search(line, match, mark)) continue;
-            CAPTURE(name);
-            CAPTURE(line);
-            CHECK(has_word(std::regex_replace(line, mark, ""), match[2]));
+            const std::string words = std::regex_replace(line, mark, "");
+            for (std::sregex_iterator it(line.begin(), line.end(), mark), end; it != end; ++it) {
+                CAPTURE(name);
+                CAPTURE(line);
+                CHECK(has_word(words, (*it)[2]));
+                CHECK(tests.find('"' + (*it)[1].str() + '"') != std::string::npos);
+            }
         }
     }
+}
+
+TEST_CASE("course: numbers of a page are read with their digits") {
+    const std::vector<QuotedNumber> numbers = numbers_in("F82 12.10 %, -3 (1.8e-7) <!-- number: a = 7 -->, \u22120.5");
+    REQUIRE(numbers.size() == 4);
+    CHECK(numbers[0].value == doctest::Approx(12.1));
+    CHECK(numbers[0].step == doctest::Approx(0.01));
+    CHECK(numbers[1].value == -3.0);
+    CHECK(numbers[2].value == doctest::Approx(1.8e-7));
+    CHECK(numbers[2].step == doctest::Approx(0.1e-7));
+    CHECK(numbers[3].value == -0.5);
+    CHECK(rounds_to(12.104, numbers[0]));
+    CHECK_FALSE(rounds_to(12.106, numbers[0]));
 }
 
 TEST_CASE("course: every example has its header card and fits a screen or two") {
