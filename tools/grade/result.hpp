@@ -6,18 +6,10 @@
 #include <string>
 #include <vector>
 
+#include "tools/compare/measurement.hpp"
 #include "tools/grade/box.hpp"
 
 namespace kreda::tools {
-
-/// A number beside its limit: "pixels that differ", 12, 5, "at most 5 (0.5 % of 1000)".
-struct Measurement {
-    std::string name;
-    double value = 0.0;
-    std::optional<double> limit;  ///< empty: there is none, it is only told
-    std::string text;             ///< what the limit means, or a remark; may be empty
-    bool ok = true;
-};
 
 /// A picture of a test: label "student", "expected" or "difference", or any other.
 struct ResultImage {
