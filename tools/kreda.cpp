@@ -1,4 +1,5 @@
-// kreda: the command line. Exit code 0: done; 2: something the user can mend, said in one line; 1: a fault of ours.
+// kreda: the command line. Exit code 0: done; 2: something the user can mend, said in one line; 1: a fault of ours, or
+// the answer "no" of kreda compare.
 #include <algorithm>
 #include <cstdio>
 #include <iostream>
@@ -28,6 +29,8 @@ Examples:
   kreda stages scene.toml -o stages               every stage a picture; open stages/index.html
   kreda explain scene.toml --pixel 320,180        every formula of one pixel with its numbers
   kreda bake dawn.hdr -o dawn                     the maps of light from an image as EXR files
+  kreda compare mine.png golden.png               the same within limits? where not?
+  kreda grade anna --rubric A3/rubric.toml        a student's work, boxed and marked
   kreda keys                                      everything a scene file may say)";
 
 /// A complaint is one line, whatever is in the names that it quotes.
@@ -64,6 +67,9 @@ int usage_error(const CLI::App& app, const CLI::ParseError& error, int argc, cha
 int run(CLI::App& app, int argc, char** argv) {
     try {
         app.parse(argc, argv);
+    } catch (const CLI::RuntimeError& end) {  // a command that says yes or no with its exit code
+        std::cout.flush();
+        return end.get_exit_code();
     } catch (const CLI::ParseError& error) {
         if (error.get_exit_code() != 0) return usage_error(app, error, argc, argv);
         app.exit(error);  // --help and --version
@@ -85,6 +91,8 @@ int main(int argc, char** argv) {
         kreda::tools::add_explain_command(app);
         kreda::tools::add_stages_command(app);
         kreda::tools::add_bake_command(app);
+        kreda::tools::add_compare_command(app);
+        kreda::tools::add_grade_command(app);
         kreda::tools::add_keys_command(app);
         kreda::tools::add_gallery_command(app);
         kreda::tools::add_bench_command(app);

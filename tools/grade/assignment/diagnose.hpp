@@ -1,0 +1,36 @@
+// Which classic mistake answers as a submission does?
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "tools/grade/assignment/mistakes.hpp"
+#include "tools/grade/assignment/score.hpp"
+
+namespace kreda::tools {
+
+/// The catalogue of an assignment with what every variant answers to these cases.
+struct Catalogue {
+    std::vector<Mistake> mistakes;
+    std::vector<Variant> variants;
+    std::vector<std::vector<StageTable>> answers;  ///< one a variant
+};
+
+[[nodiscard]] Catalogue make_catalogue(const Rubric& rubric, const CaseSet& cases, bool with_pairs = true);
+
+struct Diagnosis {
+    enum class Kind { right, exactly, nearly, unknown };
+    Kind kind = Kind::unknown;
+    std::vector<std::size_t> mistakes;  ///< indices into Catalogue::mistakes; empty unless exactly or nearly
+    double misfit = 1.0;                ///< share of the error that the variant leaves unexplained, 0 to 1
+};
+
+/// exactly: one variant gives the same answers. nearly: its answers are wrong in the same way, but for the size of the
+/// error (another constant), or only some functions answer (the rest was written elsewhere). Else unknown.
+[[nodiscard]] Diagnosis diagnose(const Rubric& rubric, const CaseSet& cases, const Answers& answers,
+                                 const Catalogue& catalogue);
+
+/// "looks exactly like: the normal is not renormalised after interpolation (page 24)", "unknown", or "".
+[[nodiscard]] std::string diagnosis_text(const Diagnosis& diagnosis, const Catalogue& catalogue);
+
+}  // namespace kreda::tools

@@ -1,0 +1,60 @@
+#include "tools/grade/assignment/grade_submission.hpp"
+
+#include <chrono>
+
+namespace kreda::tools {
+
+namespace {
+
+/// The command that repeats a test on the student's machine.
+std::string command_of(const Rubric& rubric, const std::filesystem::path& folder) {
+    return "kreda grade " + folder.string() + " --rubric " + rubric.file.string();
+}
+
+void grade_answers(const Rubric& rubric, const CaseSet& cases, const Answers& answers, GradeResult& result) {
+    result.tests = score(rubric, cases, answers, true);
+    if (points_of(result.tests) == max_points_of(result.tests)) return;
+    const Catalogue catalogue = make_catalogue(rubric, cases);
+    result.diagnosis = diagnosis_text(diagnose(rubric, cases, answers, catalogue), catalogue);
+    const std::string first = first_wrong_stage(rubric, cases, answers);
+    if (!first.empty()) result.diagnosis += (result.diagnosis.empty() ? "" : "\n") + first;
+}
+
+/// Without a program every test has 0 points.
+void grade_nothing(const Rubric& rubric, const CaseSet& cases, GradeResult& result) {
+    Answers answers{std::vector<StageTable>(cases.inputs.size()),
+                    std::vector<std::string>(cases.inputs.size(), "there is no program to test")};
+    result.tests = score(rubric, cases, answers, false);
+}
+
+}  // namespace
+
+GradeResult grade_submission(const Rubric& rubric, const CaseSet& cases, const std::filesystem::path& folder,
+                             const GradeOptions& options, const CompileOptions& compile) {
+    const auto begin = std::chrono::steady_clock::now();
+    GradeResult result;
+    result.assignment = rubric.assignment + " " + rubric.title;
+    result.submission = std::filesystem::absolute(folder / "").parent_path().filename().string();
+    const BoxFolder box;
+    const Program program = compile_submission(rubric, folder, box, options, compile);
+    result.tier = program.tier;
+    result.error = program.error;
+    if (program.file.empty()) {
+        grade_nothing(rubric, cases, result);
+    } else {
+        grade_answers(rubric, cases, run_submission(rubric, program, cases, options), result);
+    }
+    for (TestResult& test : result.tests) {
+        if (!test.hidden) test.command = command_of(rubric, folder);
+    }
+    result.points = points_of(result.tests);
+    result.max_points = max_points_of(result.tests);
+    result.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
+    return result;
+}
+
+GradeResult grade_submission(const Rubric& rubric, const std::filesystem::path& folder, const GradeOptions& options) {
+    return grade_submission(rubric, make_cases(rubric, options.hidden), folder, options);
+}
+
+}  // namespace kreda::tools
