@@ -22,6 +22,7 @@ RubricStage read_stage(const scene::Value& table) {
     reader.read("absolute", stage.absolute, 0.0, 1.0);
     reader.read("relative", stage.relative, 0.0, 1.0);
     reader.read("picture", stage.picture);
+    reader.read("encoded", stage.encoded);
     reader.done();
     return stage;
 }

@@ -18,7 +18,8 @@ struct RubricStage {
     int equation = 0;        ///< its number on that page; 0: it has none
     double absolute = 2e-5;  ///< a number may be off by this ...
     double relative = 2e-4;  ///< ... and by this share of the largest of the expected numbers
-    bool picture = false;    ///< its rows are the pixels of a picture
+    bool picture = false;    ///< its rows are a picture's pixels; its first result, 1 or 3 numbers, is their colour
+    bool encoded = false;    ///< the colour is what the picture holds, not linear light
 };
 
 struct RubricTest {

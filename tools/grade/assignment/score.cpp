@@ -61,8 +61,8 @@ void test_picture(const Rubric& rubric, const RubricStage& stage, const CaseSet&
     const StageTable& input = cases.inputs[i];
     const SceneCase& scene = cases.scene(input.scene);
     const StageCheck check = check_stage(stage, input, cases.expected[i], answers.tables[i]);
-    const raster::Image expected = compose(scene, input, cases.expected[i]);
-    const raster::Image student = compose(scene, input, answers.tables[i]);
+    const raster::Image expected = compose(scene, stage, input, cases.expected[i]);
+    const raster::Image student = compose(scene, stage, input, answers.tables[i]);
     const raster::Image mask = doubtful_pixels(scene, input);
     const Comparison comparison = compare(student, expected, {256}, rubric.picture, &mask);
     result.measurements.push_back({"pixels with NaN or infinity, " + scene.name, static_cast<double>(check.not_finite),
