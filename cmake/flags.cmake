@@ -1,12 +1,12 @@
 # Flags that every target of the project shares.
 #
 # Exactness: -ffp-contract=off keeps a*b+c two roundings on every machine, so images are the same to the last bit.
-# -Wno-restrict, -Wno-stringop-overflow: GCC 12 warns falsely about `"text" + std::to_string(n)` (GCC bug 105651).
+# -Wno-restrict: GCC 12 warns falsely about `"text" + std::to_string(n)` (GCC bug 105651).
 # Speed without changing a result: -fno-math-errno lets sqrt become one instruction, -fno-trapping-math lets
 # the compiler turn `condition ? a : b` into a select, which is what makes a loop vectorize.
 add_library(kreda_flags INTERFACE)
 target_compile_options(kreda_flags INTERFACE
-  -Wall -Wextra -Wshadow "$<$<CXX_COMPILER_ID:GNU>:-Wno-restrict;-Wno-stringop-overflow>" -ffp-contract=off -fno-math-errno -fno-trapping-math)
+  -Wall -Wextra -Wshadow $<$<CXX_COMPILER_ID:GNU>:-Wno-restrict> -ffp-contract=off -fno-math-errno -fno-trapping-math)
 if(KREDA_WERROR)
   target_compile_options(kreda_flags INTERFACE -Werror)
 endif()
@@ -36,7 +36,6 @@ function(kreda_room room)
     else()
       target_compile_options(kreda_${room} PRIVATE -Wno-unknown-pragmas)
     endif()
-    kreda_precompile(kreda_${room})
   else()
     add_library(kreda_${room} INTERFACE)
     list(FILTER ARGN EXCLUDE REGEX "^(PUBLIC|PRIVATE)$")
