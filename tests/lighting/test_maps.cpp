@@ -21,9 +21,12 @@ std::shared_ptr<const raster::Texture> even_texture(int channels, glm::vec3 colo
 }
 
 /// Left half one value, right half another.
-std::shared_ptr<const raster::Texture> two_values(float left, float right) {
-    raster::Image image = raster::make_image(2, 1, 1);
-    image.values = {left, right};
+std::shared_ptr<const raster::Texture> two_values(float left, float right, int channels = 1) {
+    raster::Image image = raster::make_image(2, 1, channels);
+    for (int c = 0; c < channels; ++c) {
+        image.plane(c)[0] = left;
+        image.plane(c)[1] = right;
+    }
     return std::make_shared<raster::Texture>(raster::make_texture(image));
 }
 
@@ -118,7 +121,7 @@ TEST_CASE("A point in a batch of its own reads the maps as in a batch of many bi
         Material material;
         material.model = model;
         material.maps.filter = TextureFilter::bilinear;
-        material.maps.diffuse.texture = material.maps.albedo.texture = two_values(0.2f, 0.9f);
+        material.maps.diffuse.texture = material.maps.albedo.texture = two_values(0.2f, 0.9f, 3);
         material.maps.metallic.texture = two_values(0.0f, 1.0f);
         material.maps.roughness.texture = two_values(0.2f, 0.8f);
         Batch many = random_batch();

@@ -143,6 +143,30 @@ TEST_CASE("The faintest highlight that pow can tell from 0 is still the formula'
     }
 }
 
+TEST_CASE("Exponent 0 lights a batch whose every Sigma is 0 as it lights the point") {
+    // n is turned by 60 degrees from l = v: the mirror vector by 120, so that v.r < 0 and Sigma = 0; 0^0 = 1.
+    Material m;
+    m.model = ReflectionModel::phong;
+    m.phong = material(0.0f);
+    const MaterialSetup setup = prepare(m);
+    Light lamp;
+    lamp.direction = {0.0f, 0.0f, -1.0f};
+    LightingSetup frame;
+    frame.orthographic = true;
+    frame.forward = {0.0f, 0.0f, -1.0f};
+    static raster::Fragments fragments;
+    static LightingChannels channels;
+    fragments.count = 16;
+    for (int i = 0; i < fragments.count; ++i) fragments.normal.set(i, direction(60, 20.0 * i));
+    start_lighting(fragments, setup, frame, channels);
+    sample_light(fragments, prepare(lamp), channels);
+    add_reflection(fragments.count, setup, LeaveChannels::always, channels);
+    for (int i = 0; i < fragments.count; ++i) {
+        CHECK(channels.sigma.at(i) == 0.0f);
+        CHECK(channels.specular.at(i) == m.phong.specular);
+    }
+}
+
 TEST_CASE("A light on the back of every point says so") {
     static raster::Fragments fragments;
     static LightingChannels channels;
