@@ -9,6 +9,7 @@
 
 #include <glm/geometric.hpp>
 
+#include "scene/files/file_content.hpp"
 #include "scene/files/file_key.hpp"
 #include "scene/files/key_tables.hpp"
 #include "scene/files/load_maps.hpp"
@@ -174,6 +175,11 @@ std::string read_text_file(const std::string& path) {
 
 Scene read_scene_text(const std::string& text, const std::string& name, const std::string& folder,
                       const ReadOptions& options) {
+    const std::string other = other_content(text);
+    if (!other.empty()) throw UserError({name}, other);
+    if (text.starts_with("\xff\xfe") || text.starts_with("\xfe\xff")) {
+        throw UserError({name}, "is UTF-16 text; save it as UTF-8");
+    }
     if (text.find('\0') != std::string::npos) {
         throw UserError({name}, "is not a text file (it holds zero bytes); expected a scene file (TOML, UTF-8)");
     }
