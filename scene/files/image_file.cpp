@@ -17,6 +17,7 @@
 #include <OpenImageIO/imageio.h>
 
 #include "scene/error.hpp"
+#include "scene/files/file_content.hpp"
 #include "scene/files/icc_profile.hpp"
 #include "scene/files/image_color.hpp"
 #include "scene/files/image_module.hpp"
@@ -171,6 +172,8 @@ OpenedImage open_input(const std::string& path) {
     OIIO::ImageSpec wish;
     wish.attribute("oiio:UnassociatedAlpha", 1);  // otherwise PNG's colours come multiplied by alpha
     opened.input = OIIO::ImageInput::open(path, &wish);
+    const std::string other = opened.input ? "" : other_content(start);
+    if (!other.empty()) throw UserError(Place{path}, other);
     if (start.starts_with("#?")) opened.radiance = read_radiance_header(start);
     if (opened.radiance.is_xyz) {
         throw UserError(Place{path},

@@ -9,6 +9,8 @@
 #include <system_error>
 #include <utility>
 
+#include "scene/files/file_content.hpp"
+
 namespace kreda::scene {
 
 namespace {
@@ -53,6 +55,7 @@ ObjText check_obj_text(const std::string& file, std::string bytes) {
         throw UserError(Place{file}, "is UTF-16 text; save it as UTF-8");
     }
     if (std::string_view(bytes).substr(0, 3) == "\xef\xbb\xbf") bytes.erase(0, 3);
+    if (const std::string other = other_content(bytes); !other.empty()) throw UserError(Place{file}, other);
     ObjText text{file, std::move(bytes)};
     const std::size_t zero = text.text.find('\0');
     if (zero != std::string::npos) {

@@ -3,7 +3,7 @@
 #include "scene/files/file_key.hpp"
 #include "scene/files/image_color.hpp"
 #include "scene/files/image_file.hpp"
-#include "scene/files/toml_check.hpp"
+#include "scene/files/key_tables.hpp"
 
 namespace kreda::scene {
 
@@ -82,15 +82,8 @@ EnvironmentSettings read_environment(const Value& table, const std::string& fold
     }
     EnvironmentSettings settings;
     settings.on = true;
-    read_word(table, "sky", settings.sky);
-    read(table, "rotation", settings.rotation_deg);
-    read(table, "intensity", settings.intensity);
-    read_word(table, "irradiance", settings.irradiance);
-    read(table, "samples", settings.samples);
-    read(table, "reference", settings.reference);
-    read(table, "on", settings.on);
+    read_keys(table, environment_keys(), settings);
     if (!file) return settings;
-    settings.file = file->text;
     const std::string path = existing_file(*file, folder);
     if (settings.on) settings.image = load(*file, path, warnings);
     return settings;

@@ -40,8 +40,9 @@ void read_folder(const Value& table, const Value& key, const std::string& folder
     const MapFolder found = find_maps(path_in(folder, key.text), maps_given(table));
     if (!found.problem.empty()) throw UserError(key.place, in_quotes(key.key) + ": " + found.problem);
     if (!found.twice.empty()) throw_twice(key, found.twice.front(), material);
-    material.maps = found.maps;
+    for (const lighting::MapUse& use : lighting::map_uses()) material.maps.*use.map = found.maps.*use.map;
     material.maps.diffuse = found.maps.albedo;
+    if (!find(table, "normal_map_y")) material.maps.normal_y = found.maps.normal_y;
     if (found.not_used.empty()) return;
     std::string names;
     for (const std::string& name : found.not_used) names += (names.empty() ? "" : ", ") + on_one_line(name);
@@ -82,7 +83,6 @@ void read_bump(const Value& table, const std::string& folder, lighting::Material
     read_map(*bump, {"bump", lighting::MapKind::normal, &lighting::MaterialMaps::normal}, folder, material, warnings);
     material.maps.normal_from_height = true;
     material.maps.normal_y = lighting::NormalMapY::up;
-    read(table, "bump_scale", material.maps.bump_scale);
 }
 
 }  // namespace
@@ -94,14 +94,8 @@ void read_maps(const Value& table, const std::string& folder, lighting::Material
         const Value* key = find(table, std::string(use.name) + "_map");
         if (key) read_map(*key, use, folder, material, warnings);
     }
-    read_word(table, "normal_map_y", material.maps.normal_y);
     read_bump(table, folder, material, warnings);
     if (!material.maps.emission.file.empty() && !find(table, "emission")) material.phong.emission = glm::vec3(1.0f);
-    read_word(table, "texture_filter", material.maps.filter);
-    read_word(table, "texture_wrap", material.maps.wrap);
-    if (const Value* scale = find(table, "texture_scale")) {
-        material.maps.scale = {static_cast<float>(scale->items[0].number), static_cast<float>(scale->items[1].number)};
-    }
 }
 
 }  // namespace kreda::scene

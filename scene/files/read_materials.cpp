@@ -6,8 +6,8 @@
 
 #include "lighting/cook_torrance.hpp"
 #include "lighting/spectrum.hpp"
+#include "scene/files/key_tables.hpp"
 #include "scene/files/read_maps.hpp"
-#include "scene/files/toml_check.hpp"
 
 namespace kreda::scene {
 
@@ -21,13 +21,8 @@ bool is_metal(const lighting::MeasuredMaterial& material) {
     throw UserError(key.place, in_quotes(key.key) + " in [[material]] needs " + what);
 }
 
-/// n and k: three numbers each, or a measured material by its name.
-void read_index(const Value& table, lighting::CookTorranceMaterial& material) {
-    if (find(table, "ior")) read(table, "ior", material.ior.emplace());
-    if (find(table, "extinction")) read(table, "extinction", material.extinction.emplace());
-    read(table, "measured", material.measured);
-    read_word(table, "spectrum", material.spectrum);
-    read(table, "outside_ior", material.outside_ior);
+/// n and k: three numbers each, or a measured material by its name, which is a metal or not.
+void settle_index(const Value& table, lighting::CookTorranceMaterial& material) {
     const Value* const measured = find(table, "measured");
     if (measured && material.ior) {
         throw UserError(measured->place, "'measured' and 'ior' in [[material]] both give n; remove one of them");
@@ -58,50 +53,19 @@ void check_fresnel(const Value& table, const lighting::CookTorranceMaterial& mat
                                         "fresnel = \"f82\" for the whole spectrum");
 }
 
-lighting::CookTorranceMaterial read_cook_torrance(const Value& table) {
-    lighting::CookTorranceMaterial material;
-    read(table, "albedo", material.albedo);
-    read(table, "metallic", material.metallic);
-    read(table, "roughness", material.roughness);
-    read(table, "ao", material.ao);
-    read_word(table, "distribution", material.distribution);
-    read_word(table, "geometry", material.geometry);
-    read_word(table, "fresnel", material.fresnel);
-    read_word(table, "energy_compensation", material.energy_compensation);
-    read(table, "table_size", material.table_size);
-    if (find(table, "nvidia")) read(table, "nvidia", material.nvidia.emplace());
-    if (find(table, "f82")) read(table, "f82", material.f82.emplace());
-    read_index(table, material);
-    check_fresnel(table, material);
-    return material;
-}
-
-lighting::PhongMaterial read_phong(const Value& table) {
+void check_grain(const Value& table, const lighting::PhongMaterial& material) {
     constexpr double kLeastLength = 1e-9;  // a shorter vector has no direction in float
-    lighting::PhongMaterial material;
-    read(table, "ambient", material.ambient);
-    read(table, "diffuse", material.diffuse);
-    read(table, "specular", material.specular);
-    read(table, "emission", material.emission);
-    read(table, "shininess", material.shininess);
-    if (const Value* alpha = find(table, "ward_alpha")) {
-        material.ward_alpha =
-            glm::vec2(static_cast<float>(alpha->items[0].number), static_cast<float>(alpha->items[1].number));
-    }
-    read(table, "grain", material.grain);
-    if (glm::length(glm::dvec3(material.grain)) < kLeastLength) {
-        throw UserError(place_of(table, "grain"),
-                        "'grain' in [[material]] has length 0; a direction is e.g. grain = [0, 1, 0]");
-    }
-    return material;
+    if (glm::length(glm::dvec3(material.grain)) >= kLeastLength) return;
+    throw UserError(place_of(table, "grain"),
+                    "'grain' in [[material]] has length 0; a direction is e.g. grain = [0, 1, 0]");
 }
 
 lighting::Material read_material(const Value& table, const std::string& folder, std::vector<std::string>& warnings) {
     lighting::Material material;
-    read(table, "name", material.name);
-    read_word(table, "model", material.model);
-    material.phong = read_phong(table);
-    material.cook_torrance = read_cook_torrance(table);
+    read_keys(table, material_keys(), material);
+    check_grain(table, material.phong);
+    settle_index(table, material.cook_torrance);
+    check_fresnel(table, material.cook_torrance);
     read_maps(table, folder, material, warnings);
     return material;
 }

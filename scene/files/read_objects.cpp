@@ -15,6 +15,7 @@
 #include "raster/shapes.hpp"
 #include "raster/triangle_setup.hpp"
 #include "scene/files/file_key.hpp"
+#include "scene/files/key_tables.hpp"
 #include "scene/files/mesh_file.hpp"
 #include "scene/files/toml_check.hpp"
 #include "scene/join_parts.hpp"
@@ -39,7 +40,7 @@ struct ObjectReader {
     std::map<std::string, SharedMesh> meshes;  ///< by name and settings
 
     void read_object(const Value& table);
-    SharedMesh mesh_of(const Value& table);
+    SharedMesh mesh_of(const Value& table, const ObjectTable& read);
     SharedMesh load_file(const std::string& path, Normals normals, const std::optional<float>& crease);
     int material_named(const Value& name) const;
     int material_of_none();
@@ -50,12 +51,11 @@ std::vector<std::string> built_in_names() {
     return {names.begin(), names.end()};
 }
 
-raster::Mesh built_in_mesh(const Value& table, const std::string& name, int detail, Normals normals,
-                           const std::optional<float>& crease) {
+raster::Mesh built_in_mesh(const Value& table, const ObjectTable& read, int detail) {
     try {
-        raster::Mesh mesh = *raster::make_shape(name, detail);
-        if (normals == Normals::smooth) raster::make_smooth_normals(mesh, crease.value_or(60.0f));
-        if (normals == Normals::flat) raster::make_flat_normals(mesh);
+        raster::Mesh mesh = *raster::make_shape(read.mesh, detail);
+        if (read.normals == Normals::smooth) raster::make_smooth_normals(mesh, read.crease.value_or(60.0f));
+        if (read.normals == Normals::flat) raster::make_flat_normals(mesh);
         return mesh;
     } catch (const std::invalid_argument& error) { throw UserError(place_of(table, "detail"), error.what()); }
 }
@@ -70,23 +70,16 @@ SharedMesh ObjectReader::load_file(const std::string& path, Normals normals, con
 }
 
 /// What `mesh` names: a built-in shape if there is one of that name, else a file.
-SharedMesh ObjectReader::mesh_of(const Value& table) {
-    std::string name;
-    Normals normals = Normals::file;
-    read(table, "mesh", name);
-    read_word(table, "normals", normals);
-    std::optional<float> crease;
-    if (find(table, "crease")) read(table, "crease", crease.emplace());
-    const std::string with_normals =
-        " normals " + std::to_string(static_cast<int>(normals)) + " crease " + (crease ? std::to_string(*crease) : "");
+SharedMesh ObjectReader::mesh_of(const Value& table, const ObjectTable& read) {
+    const std::string& name = read.mesh;
+    const std::string with_normals = " normals " + std::to_string(static_cast<int>(read.normals)) + " crease " +
+                                     (read.crease ? std::to_string(*read.crease) : "");
 
     const std::vector<std::string> shapes = built_in_names();
     if (std::find(shapes.begin(), shapes.end(), name) != shapes.end()) {
-        int detail = raster::default_detail(name).value();
-        read(table, "detail", detail);
+        const int detail = read.detail.value_or(raster::default_detail(name).value());
         SharedMesh& shared = meshes[name + " detail " + std::to_string(detail) + with_normals];
-        if (!shared.mesh)
-            shared.mesh = std::make_shared<raster::Mesh>(built_in_mesh(table, name, detail, normals, crease));
+        if (!shared.mesh) shared.mesh = std::make_shared<raster::Mesh>(built_in_mesh(table, read, detail));
         return shared;
     }
     const std::filesystem::path path = (std::filesystem::path(folder) / name).lexically_normal();
@@ -99,12 +92,12 @@ SharedMesh ObjectReader::mesh_of(const Value& table) {
                         "there is no mesh file " + in_quotes(path.string()) +
                             (file.empty() ? did_you_mean(name, shapes, "built-in meshes") : file));
     }
-    if (find(table, "detail")) {
+    if (read.detail) {
         throw UserError(find(table, "detail")->key_place,
                         "'detail' is for built-in meshes; " + in_quotes(name) + " is a file, its triangles are fixed");
     }
     SharedMesh& shared = meshes[path.string() + with_normals];
-    if (!shared.mesh) shared = load_file(path.string(), normals, crease);
+    if (!shared.mesh) shared = load_file(path.string(), read.normals, read.crease);
     return shared;
 }
 
@@ -148,30 +141,22 @@ std::vector<bool> hidden_parts(const Value& table, const raster::Mesh& mesh) {
     return hidden;
 }
 
-ObjectPlacement read_placement(const Value& table) {
-    ObjectPlacement placement;
-    placement.scale_place = place_of(table, "scale");
-    placement.place = find(table, "translate") ? place_of(table, "translate") : place_of(table, "mesh");
-    read(table, "translate", placement.translate);
-    read(table, "rotate", placement.rotate_deg);
-    read(table, "scale", placement.scale);
-    const Value* factor = find(table, "scale");
-    if (factor && factor->items.empty()) placement.scale = glm::dvec3(factor->number);
-    return placement;
-}
-
 void ObjectReader::read_object(const Value& table) {
-    const Value* name = find(table, "mesh");
-    if (!name || name->text.empty()) {
+    ObjectTable read;
+    read_keys(table, object_keys(), read);
+    if (read.mesh.empty()) {
         throw UserError(place_of(table, "mesh"),
                         "an [[object]] needs a mesh, e.g. mesh = \"teapot\" or mesh = \"model.obj\"");
     }
     Object object;
-    object.mesh_name = name->text;
-    placements.objects.push_back(read_placement(table));
+    object.mesh_name = read.mesh;
+    object.casts_shadow = read.casts_shadow;
+    read.placement.scale_place = place_of(table, "scale");
+    read.placement.place = place_of(table, find(table, "translate") ? "translate" : "mesh");
+    placements.objects.push_back(read.placement);
     const Value* material = find(table, "material");
     const int chosen = material ? material_named(*material) : -1;
-    const SharedMesh shared = mesh_of(table);
+    const SharedMesh shared = mesh_of(table, read);
     object.mesh = shared.mesh;
     for (const raster::MeshPart& part : shared.mesh->parts) {
         const int own = part.material >= 0 ? shared.first_material + part.material : -1;
@@ -179,7 +164,6 @@ void ObjectReader::read_object(const Value& table) {
         object.part_material.push_back(index >= 0 ? index : material_of_none());
     }
     object.part_hidden = hidden_parts(table, *shared.mesh);
-    read(table, "casts_shadow", object.casts_shadow);
     scene.objects.push_back(std::move(object));
 }
 

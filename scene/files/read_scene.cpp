@@ -9,7 +9,9 @@
 
 #include <glm/geometric.hpp>
 
+#include "scene/files/file_content.hpp"
 #include "scene/files/file_key.hpp"
+#include "scene/files/key_tables.hpp"
 #include "scene/files/load_maps.hpp"
 #include "scene/files/overrides.hpp"
 #include "scene/files/place_scene.hpp"
@@ -40,13 +42,6 @@ void check_sample_grid(const Value& table, const ImageSettings& image) {
                     "the image has " + asked + " samples (size x samples); the largest is " + largest);
 }
 
-/// "environment" is the only word that may stand there.
-void read_background(const Value& table, ImageSettings& image) {
-    const Value* background = find(table, "background");
-    image.environment_background = background && background->kind == ValueKind::text;
-    if (!image.environment_background) read(table, "background", image.background);
-}
-
 void check_background(const Value& root, const Scene& scene) {
     if (!scene.image.environment_background || scene.environment.on) return;
     throw UserError(find(*find(root, "image"), "background")->place,
@@ -55,18 +50,8 @@ void check_background(const Value& root, const Scene& scene) {
 
 ImageSettings read_image(const Value& table) {
     ImageSettings image;
-    if (const Value* size = find(table, "size")) {
-        image.width = static_cast<int>(size->items[0].integer);
-        image.height = static_cast<int>(size->items[1].integer);
-    }
-    read(table, "samples", image.samples);
+    read_keys(table, image_keys(), image);
     check_sample_grid(table, image);
-    read_background(table, image);
-    read(table, "exposure", image.exposure);
-    read_word(table, "tone_map", image.tone_map);
-    read(table, "white", image.white);
-    read_word(table, "transfer", image.transfer);
-    read(table, "gamma", image.gamma);
     return image;
 }
 
@@ -89,71 +74,39 @@ void check_view(const Value& table, const Placements& placements, const raster::
 }
 
 raster::Camera read_camera(const Value& table, Placements& placements) {
-    raster::Camera camera;
-    read(table, "position", placements.camera_position);
-    read(table, "target", placements.camera_target);
-    read(table, "up", camera.up);
-    read_word(table, "projection", camera.projection);
-    read(table, "vertical_fov", camera.vertical_fov_deg);
-    read(table, "height", camera.height);
-    read(table, "near", camera.near);
-    read(table, "far", camera.far);
-    check_view(table, placements, camera);
-    if (camera.far <= camera.near) {
+    CameraTable read;
+    read_keys(table, camera_keys(), read);
+    placements.camera_position = read.position;
+    placements.camera_target = read.target;
+    check_view(table, placements, read.camera);
+    if (read.camera.far <= read.camera.near) {
         const Place& place = place_of(table, find(table, "far") ? "far" : "near");
         throw UserError(place, "'far' in [camera] must be greater than 'near'");
     }
-    return camera;
+    return read.camera;
 }
 
-ShadingSettings read_shading(const Value& table) {
-    ShadingSettings shading;
-    read_word(table, "frequency", shading.frequency);
-    read_word(table, "interpolation", shading.interpolation);
-    read_word(table, "cull", shading.cull);
-    read(table, "two_sided", shading.two_sided);
-    return shading;
-}
-
-lighting::Attenuation read_attenuation(const Value& table) {
-    const Value* value = find(table, "attenuation");
-    if (!value) return {};
-    if (value->kind == ValueKind::text) return {0.0f, 0.0f, 1.0f};  // "physical", the only word
-    glm::vec3 c_l_q(0.0f);
-    read(table, "attenuation", c_l_q);
-    if (c_l_q.x + c_l_q.y + c_l_q.z < static_cast<float>(kLeastLength)) {
-        throw UserError(value->place, "'attenuation' in [[light]] divides by zero; [1, 0, 0] means none");
+void check_light(const Value& table, const lighting::Light& light) {
+    const lighting::Attenuation& a = light.attenuation;
+    if (a.constant + a.linear + a.quadratic < static_cast<float>(kLeastLength)) {
+        throw UserError(place_of(table, "attenuation"),
+                        "'attenuation' in [[light]] divides by zero; [1, 0, 0] means none");
     }
-    return {c_l_q.x, c_l_q.y, c_l_q.z};
-}
-
-void read_cone(const Value& table, lighting::Light& light) {
-    const Value* cone = find(table, "cone");
-    if (!cone) return;
-    light.inner_cone_deg = static_cast<float>(cone->items[0].number);
-    light.outer_cone_deg = static_cast<float>(cone->items[1].number);
-    if (light.inner_cone_deg <= light.outer_cone_deg) return;
-    throw UserError(cone->place, "'cone' in [[light]]: the first angle must not exceed the second");
-}
-
-lighting::Light read_light(const Value& table, Placements& placements) {
-    lighting::Light light;
-    read_word(table, "type", light.type);
-    read(table, "direction", light.direction);
-    LightPlacement placement{glm::dvec3(light.position), place_of(table, "position")};
-    read(table, "position", placement.position);
-    placements.lights.push_back(placement);
-    read(table, "color", light.color);
-    read(table, "intensity", light.intensity);
-    light.attenuation = read_attenuation(table);
-    read_cone(table, light);
-    read(table, "shadow", light.shadow);
-    read(table, "on", light.on);
+    if (light.inner_cone_deg > light.outer_cone_deg) {
+        throw UserError(place_of(table, "cone"), "'cone' in [[light]]: the first angle must not exceed the second");
+    }
     if (glm::length(glm::dvec3(light.direction)) < kLeastLength) {
         throw UserError(place_of(table, "direction"),
                         "'direction' in [[light]] has length 0; a direction is e.g. direction = [-1, -2, -1]");
     }
-    return light;
+}
+
+lighting::Light read_light(const Value& table, Placements& placements) {
+    LightTable read;
+    read_keys(table, light_keys(), read);
+    placements.lights.push_back({read.position, place_of(table, "position")});
+    check_light(table, read.light);
+    return read.light;
 }
 
 /// Methods that know only the samples of the picture cannot answer at vertices or centroids.
@@ -168,29 +121,9 @@ void check_method(const Value& table, shadows::ShadowMethod method, ShadingFrequ
 
 shadows::ShadowSettings read_shadow(const Value& table, ShadingFrequency frequency) {
     shadows::ShadowSettings shadow;
-    read_word(table, "method", shadow.method);
+    read_keys(table, shadow_keys(), shadow);
     check_method(table, shadow.method, frequency);
-    read(table, "size", shadow.size);
-    read_word(table, "filter", shadow.filter);
-    read(table, "radius", shadow.radius);
-    read(table, "light_size", shadow.light_size);
-    read_word(table, "bias", shadow.bias);
-    read(table, "constant_bias", shadow.constant_bias);
-    read(table, "slope_bias", shadow.slope_bias);
-    read_word(table, "cull", shadow.cull);
     return shadow;
-}
-
-lighting::Fog read_fog(const Value& table) {
-    lighting::Fog fog;
-    read_word(table, "mode", fog.mode);
-    read(table, "color", fog.color);
-    read(table, "start", fog.start);
-    read(table, "end", fog.end);
-    read(table, "density", fog.density);
-    read_word(table, "distance", fog.distance);
-    read_word(table, "frequency", fog.frequency);
-    return fog;
 }
 
 Scene build_scene(const Value& root, const std::string& name, const std::string& folder, const ReadOptions& options) {
@@ -201,8 +134,8 @@ Scene build_scene(const Value& root, const std::string& name, const std::string&
     placements.camera_target = scene.camera.target;
     if (const Value* table = find(root, "image")) scene.image = read_image(*table);
     if (const Value* table = find(root, "camera")) scene.camera = read_camera(*table, placements);
-    if (const Value* table = find(root, "shading")) scene.shading = read_shading(*table);
-    if (const Value* table = find(root, "ambient")) read(*table, "color", scene.ambient);
+    if (const Value* table = find(root, "shading")) read_keys(*table, shading_keys(), scene.shading);
+    if (const Value* table = find(root, "ambient")) read_keys(*table, ambient_keys(), scene);
     if (const Value* tables = find(root, "light")) {
         for (const Value& table : tables->items) scene.lights.push_back(read_light(table, placements));
     }
@@ -211,7 +144,7 @@ Scene build_scene(const Value& root, const std::string& name, const std::string&
         scene.environment = read_environment(*table, folder, scene.warnings);
     }
     check_background(root, scene);
-    if (const Value* table = find(root, "fog")) scene.fog = read_fog(*table);
+    if (const Value* table = find(root, "fog")) read_keys(*table, fog_keys(), scene.fog);
     if (const Value* tables = find(root, "material")) read_materials(*tables, folder, scene);
     read_objects(root, folder, options, placements, scene);
     place_scene(placements, scene);
@@ -242,6 +175,11 @@ std::string read_text_file(const std::string& path) {
 
 Scene read_scene_text(const std::string& text, const std::string& name, const std::string& folder,
                       const ReadOptions& options) {
+    const std::string other = other_content(text);
+    if (!other.empty()) throw UserError({name}, other);
+    if (text.starts_with("\xff\xfe") || text.starts_with("\xfe\xff")) {
+        throw UserError({name}, "is UTF-16 text; save it as UTF-8");
+    }
     if (text.find('\0') != std::string::npos) {
         throw UserError({name}, "is not a text file (it holds zero bytes); expected a scene file (TOML, UTF-8)");
     }

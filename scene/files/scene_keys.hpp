@@ -1,5 +1,5 @@
-// Every key of a scene file, once: what may be written, what it means, what holds without it.
-// The reader checks files against this table and `kreda render --help-scene` prints it.
+// Every key of a scene file: what may be written, what it means, what holds without it. Rows of the table are in
+// key_tables.hpp, with the members that they set; the reader checks files against it, and `kreda keys` prints it.
 #pragma once
 
 #include <limits>
@@ -37,7 +37,7 @@ struct KeyInfo {
     std::string_view table;  ///< "camera"; for [[light]] "light"
     std::string_view key;
     KeyType type = KeyType::number;
-    std::string_view default_value;  ///< as it is written in a file; empty: none
+    std::string default_value;  ///< as it is written in a file; empty: none
     std::string_view meaning;
     Range range;                          ///< for each number of the value
     std::vector<std::string_view> words;  ///< in the order of the enumerators that they stand for

@@ -183,42 +183,4 @@ void check_keys(const Value& root) {
     }
 }
 
-void read(const Value& table, std::string_view key, bool& result) {
-    if (const Value* value = find(table, key)) result = value->boolean;
-}
-
-void read(const Value& table, std::string_view key, int& result) {
-    if (const Value* value = find(table, key)) result = static_cast<int>(value->integer);
-}
-
-void read(const Value& table, std::string_view key, float& result) {
-    if (const Value* value = find(table, key)) result = static_cast<float>(value->number);
-}
-
-void read(const Value& table, std::string_view key, glm::vec3& result) {
-    const Value* value = find(table, key);
-    if (!value || value->items.size() != 3) return;
-    for (int i = 0; i < 3; ++i) result[i] = static_cast<float>(value->items[static_cast<std::size_t>(i)].number);
-}
-
-void read(const Value& table, std::string_view key, glm::dvec3& result) {
-    const Value* value = find(table, key);
-    if (!value || value->items.size() != 3) return;
-    for (int i = 0; i < 3; ++i) result[i] = value->items[static_cast<std::size_t>(i)].number;
-}
-
-void read(const Value& table, std::string_view key, std::string& result) {
-    if (const Value* value = find(table, key)) result = value->text;
-}
-
-int word_index(const Value& table, std::string_view key) {
-    const Value* value = find(table, key);
-    const KeyInfo* info = find_key(table.key, key);
-    if (!value || !info) return -1;
-    for (std::size_t i = 0; i < info->words.size(); ++i) {
-        if (info->words[i] == value->text) return static_cast<int>(i);
-    }
-    return -1;
-}
-
 }  // namespace kreda::scene
