@@ -45,7 +45,7 @@ TEST_CASE("52_prefilter: the sample of the page worked by hand") {
 }
 
 TEST_CASE("52_prefilter: the sun of the sunset is so many times as bright as the sky beside it") {
-    const dvec3 sun = glm::normalize(dvec3(0.2, 0.0995, -0.9747));  // lighting/environment/sky.hpp
+    const dvec3 sun = glm::normalize(dvec3(0.2, 0.0995, -0.9747));              // lighting/environment/sky.hpp
     const dvec3 beside = glm::normalize(sun + 0.06 * dvec3(0.9747, 0.0, 0.2));  // 3.4 degrees aside, as high
     const auto red = [](const dvec3& d) {
         return double{lighting::sky_radiance(lighting::Sky::sunset, glm::vec3(d)).x};

@@ -52,7 +52,7 @@ struct Blurs {
         for (const float alpha : kAlphas) exact.push_back(examples::exact_level(radiance, alpha, 8));
     }
     double percent(const lighting::CubeMap& from, std::size_t i, int samples) const {
-        return 100.0 * map_error(examples::sampled_level(from, kAlphas[i], samples, 8), exact[i]).mean;
+        return 100.0 * examples::map_error(examples::sampled_level(from, kAlphas[i], samples, 8), exact[i]).mean;
     }
     static constexpr float kAlphas[] = {0.125f, 0.25f, 0.5f, 1.0f};
     lighting::CubeMap radiance;
