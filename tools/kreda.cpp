@@ -1,5 +1,5 @@
 // kreda: the command line. Exit code 0: done; 2: something the user can mend, said in one line; 1: a fault of ours, or
-// the answer "no" of a command that is asked (compare, grade).
+// the answer "no" of kreda compare.
 #include <algorithm>
 #include <cstdio>
 #include <iostream>
@@ -30,6 +30,7 @@ Examples:
   kreda explain scene.toml --pixel 320,180        every formula of one pixel with its numbers
   kreda bake dawn.hdr -o dawn                     the maps of light from an image as EXR files
   kreda compare mine.png golden.png               the same within limits? where not?
+  kreda grade anna --rubric A3/rubric.toml        a student's work, boxed and marked
   kreda keys                                      everything a scene file may say)";
 
 /// A complaint is one line, whatever is in the names that it quotes.
@@ -91,6 +92,7 @@ int main(int argc, char** argv) {
         kreda::tools::add_stages_command(app);
         kreda::tools::add_bake_command(app);
         kreda::tools::add_compare_command(app);
+        kreda::tools::add_grade_command(app);
         kreda::tools::add_keys_command(app);
         kreda::tools::add_gallery_command(app);
         kreda::tools::add_bench_command(app);

@@ -90,7 +90,7 @@ std::uint64_t count_threads_of(uid_t user) {
 }
 
 BoxFolder::BoxFolder() {
-    std::string name = (fs::temp_directory_path() / "kreda-box-XXXXXX").string();
+    std::string name = (fs::temp_directory_path() / ("kreda-box-" + std::to_string(getpid()) + "-XXXXXX")).string();
     if (!mkdtemp(name.data()))
         throw scene::UserError(scene::Place{name}, std::string("cannot be made: ") + std::strerror(errno));
     path_ = name;

