@@ -3,7 +3,7 @@
 //
 //     program INPUTS OUTPUTS [STAGE]
 //
-// INPUTS holds tables, one for a function and a scene. A column has 1 to 16 numbers a row, or is one list for all rows.
+// INPUTS holds tables, one for a function and a scene. A column has some numbers a row, or is one list for all rows.
 #pragma once
 
 #include <cstddef>
@@ -113,7 +113,8 @@ inline bool read_table(std::istream& file, Table& table) {
         file >> word >> column.name >> column.components >> column.per_row >> numbers;
         file.get();  // the end of the line
         column.values.resize(numbers);
-        file.read(reinterpret_cast<char*>(column.values.data()), static_cast<std::streamsize>(numbers * sizeof(double)));
+        file.read(reinterpret_cast<char*>(column.values.data()),
+                  static_cast<std::streamsize>(numbers * sizeof(double)));
         table.inputs.push_back(column);
     }
     return bool(file);

@@ -42,9 +42,9 @@ struct Terms {
 
 /// Where a ray of sight meets a surface.
 struct SurfacePoint {
-    glm::vec3 position;       ///< world space
-    glm::vec3 normal;         ///< world space, interpolated between the corners: NOT of unit length
-    glm::vec3 eye;            ///< the camera's position
+    glm::vec3 position;  ///< world space
+    glm::vec3 normal;    ///< world space, interpolated between the corners: NOT of unit length
+    glm::vec3 eye;       ///< the camera's position
     Material material;
     glm::vec3 ambient_light;  ///< s_A
 };

@@ -41,8 +41,8 @@ void run_row(harness::Row row) {
     } else if (row.is("shade")) {
         std::vector<Light> lights;
         for (std::size_t i = 0; i < row.count("light_radiance", 3); ++i) lights.push_back(light_at(row, i));
-        row.put("color", shade({row.vec3("position"), row.vec3("normal"), row.vec3("eye"), material_of(row),
-                                row.vec3("s_A")},
-                               lights));
+        row.put("color",
+                shade({row.vec3("position"), row.vec3("normal"), row.vec3("eye"), material_of(row), row.vec3("s_A")},
+                      lights));
     }
 }

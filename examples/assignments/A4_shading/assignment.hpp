@@ -22,10 +22,10 @@ using Weights = glm::vec3;
 
 /// One directional light and a material.
 struct Lit {
-    glm::vec3 l, radiance, ambient_light;   ///< l: unit, to the light
-    glm::vec3 eye;                          ///< world space
-    glm::vec3 ambient, diffuse, specular;   ///< m_A, m_D, m_S
-    float shininess;                        ///< h
+    glm::vec3 l, radiance, ambient_light;  ///< l: unit, to the light
+    glm::vec3 eye;                         ///< world space
+    glm::vec3 ambient, diffuse, specular;  ///< m_A, m_D, m_S
+    float shininess;                       ///< h
 };
 
 /// Blinn and Phong's model at one point, done for you. n: of unit length.

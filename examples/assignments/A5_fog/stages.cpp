@@ -6,8 +6,12 @@ namespace {
 
 Fog fog_of(const harness::Row& row) {
     const glm::vec3 range = row.vec3("start_end_density");
-    return {static_cast<FogMode>(row.integer("mode")), static_cast<FogDistance>(row.integer("distance")),
-            row.vec3("fog_color"), range.x, range.y, range.z};
+    return {static_cast<FogMode>(row.integer("mode")),
+            static_cast<FogDistance>(row.integer("distance")),
+            row.vec3("fog_color"),
+            range.x,
+            range.y,
+            range.z};
 }
 
 Eye eye_of(const harness::Row& row) {

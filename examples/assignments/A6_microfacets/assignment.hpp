@@ -27,4 +27,5 @@ glm::vec3 schlick(const glm::vec3& f0, float v_dot_h);
 float ggx(float n_dot_h, float roughness);
 float geometry(float n_dot_l, float n_dot_v, float roughness);
 glm::vec3 cook_torrance(const glm::vec3& n, const glm::vec3& l, const glm::vec3& v, const Material& m);
-glm::vec3 shade(const glm::vec3& p, const glm::vec3& n, const glm::vec3& eye, const Material& m, const std::vector<Light>& lights);
+glm::vec3 shade(const glm::vec3& p, const glm::vec3& n, const glm::vec3& eye, const Material& m,
+                const std::vector<Light>& lights);

@@ -32,7 +32,8 @@ glm::vec3 cook_torrance(const glm::vec3& n, const glm::vec3& l, const glm::vec3&
 }
 
 // The sum over the lights. n: interpolated, of any length.
-glm::vec3 shade(const glm::vec3& p, const glm::vec3& n, const glm::vec3& eye, const Material& m, const std::vector<Light>& lights) {
+glm::vec3 shade(const glm::vec3& p, const glm::vec3& n, const glm::vec3& eye, const Material& m,
+                const std::vector<Light>& lights) {
     (void)p, (void)n, (void)eye, (void)m, (void)lights;
     return glm::vec3(0.0f);  // A6: write here
 }

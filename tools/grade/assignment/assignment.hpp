@@ -18,13 +18,21 @@ struct Assignment {
 /// "A1" to "A8"; null: there is none of this name.
 [[nodiscard]] const Assignment* find_assignment(const std::string& name);
 
+void record_a1(const SceneRecord& record, std::vector<StageTable>& tables);
+void reference_a1(StageRow row);
+void record_a2(const SceneRecord& record, std::vector<StageTable>& tables);
+void reference_a2(StageRow row);
+void record_a3(const SceneRecord& record, std::vector<StageTable>& tables);
+void reference_a3(StageRow row);
 void record_a4(const SceneRecord& record, std::vector<StageTable>& tables);
 void reference_a4(StageRow row);
 void record_a5(const SceneRecord& record, std::vector<StageTable>& tables);
 void reference_a5(StageRow row);
 void record_a6(const SceneRecord& record, std::vector<StageTable>& tables);
 void reference_a6(StageRow row);
-void record_a3(const SceneRecord& record, std::vector<StageTable>& tables);
-void reference_a3(StageRow row);
+void record_a7(const SceneRecord& record, std::vector<StageTable>& tables);
+void reference_a7(StageRow row);
+void record_a8(const SceneRecord& record, std::vector<StageTable>& tables);
+void reference_a8(StageRow row);
 
 }  // namespace kreda::tools

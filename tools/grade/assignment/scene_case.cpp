@@ -130,8 +130,9 @@ std::vector<StageTable> part_of(const CaseSet& cases, const std::vector<StageTab
     return part;
 }
 
-raster::Image compose(const SceneCase& scene, const StageTable& input, const StageTable& answers) {
-    raster::Image picture = scene.film;
+raster::Image compose(const SceneCase& scene, const RubricStage& stage, const StageTable& input,
+                      const StageTable& answers) {
+    raster::Image picture = stage.encoded ? develop(scene.film, scene.settings) : scene.film;
     const StageColumn& color = answers.columns.front();
     const std::size_t n = color.components;
     for (std::size_t row = 0; row < input.rows; ++row) {
@@ -140,7 +141,7 @@ raster::Image compose(const SceneCase& scene, const StageTable& input, const Sta
             picture.at(c, input.pixel[row].x, input.pixel[row].y) = static_cast<float>(value);
         }
     }
-    return develop(picture, scene.settings);
+    return stage.encoded ? without_non_finite(picture) : develop(picture, scene.settings);
 }
 
 raster::Image doubtful_pixels(const SceneCase& scene, const StageTable& input) {

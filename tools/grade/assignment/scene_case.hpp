@@ -36,7 +36,8 @@ struct CaseSet {
 [[nodiscard]] std::vector<StageTable> part_of(const CaseSet& cases, const std::vector<StageTable>& tables, bool hidden);
 
 /// A stage's answers as a picture: its rows laid over the scene's film, developed; values 0..1, encoded.
-[[nodiscard]] raster::Image compose(const SceneCase& scene, const StageTable& input, const StageTable& answers);
+[[nodiscard]] raster::Image compose(const SceneCase& scene, const RubricStage& stage, const StageTable& input,
+                                    const StageTable& answers);
 
 /// White where rounding may decide.
 [[nodiscard]] raster::Image doubtful_pixels(const SceneCase& scene, const StageTable& input);

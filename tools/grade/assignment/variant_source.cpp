@@ -1,5 +1,7 @@
 #include "tools/grade/assignment/variant_source.hpp"
 
+#include <algorithm>
+#include <cctype>
 #include <set>
 #include <sstream>
 
@@ -17,9 +19,24 @@ std::string last_word(const std::string& text) {
     return text.substr(begin, end - begin);
 }
 
+/// Declarations and definitions that a formatter broke into several lines, each on one line again.
+std::string unbroken(const std::string& text) {
+    std::istringstream lines(text);
+    std::string joined, line, next;
+    while (std::getline(lines, line)) {
+        const bool is_code = !line.empty() && std::isalpha(static_cast<unsigned char>(line[0])) != 0;
+        const auto is_open = [&] { return line.back() == ',' || line.back() == '('; };
+        while (is_code && line.find('(') != std::string::npos && is_open() && std::getline(lines, next)) {
+            line += " " + next.substr(std::min(next.find_first_not_of(' '), next.size()));
+        }
+        joined += line + "\n";
+    }
+    return joined;
+}
+
 /// Lines `#include <...>` go to `heads`, other directives and prototypes away; the rest comes back.
 std::string body_of(const std::string& text, std::set<std::string>& heads, bool with_prototypes) {
-    std::istringstream lines(text);
+    std::istringstream lines(unbroken(text));
     std::string body, line;
     while (std::getline(lines, line)) {
         if (line.rfind("#include <", 0) == 0) heads.insert(line);
@@ -49,7 +66,7 @@ const char* const kMain =
 
 std::vector<Prototype> prototypes_of(const std::string& header) {
     std::vector<Prototype> found;
-    std::istringstream lines(header);
+    std::istringstream lines(unbroken(header));
     std::string line;
     while (std::getline(lines, line)) {
         if (!is_prototype(line)) continue;

@@ -35,9 +35,7 @@ Terms phong(const glm::vec3& n, const glm::vec3& l, const glm::vec3& v, const Ma
     terms.diffuse = m.diffuse * cosine;
     const glm::vec3 r = mirror_vector(n, l);
     const float v_dot_r = glm::dot(v, r);
-    if (n_dot_l > 0.0f && v_dot_r > 0.0f) {
-        terms.specular = m.specular * std::pow(v_dot_r, m.shininess);
-    }
+    if (n_dot_l > 0.0f && v_dot_r > 0.0f) { terms.specular = m.specular * std::pow(v_dot_r, m.shininess); }
     return terms;
 }
 

@@ -39,12 +39,11 @@ glm::vec3 cook_torrance(const glm::vec3& n, const glm::vec3& l, const glm::vec3&
     return (diffuse + specular) * n_dot_l;
 }
 
-glm::vec3 shade(const glm::vec3& p, const glm::vec3& n, const glm::vec3& eye, const Material& m, const std::vector<Light>& lights) {
+glm::vec3 shade(const glm::vec3& p, const glm::vec3& n, const glm::vec3& eye, const Material& m,
+                const std::vector<Light>& lights) {
     const glm::vec3 unit_n = glm::normalize(n);
     const glm::vec3 v = glm::normalize(eye - p);
     glm::vec3 sum(0.0f);
-    for (const Light& light : lights) {
-        sum += light.radiance * cook_torrance(unit_n, light.l, v, m);
-    }
+    for (const Light& light : lights) { sum += light.radiance * cook_torrance(unit_n, light.l, v, m); }
     return sum;
 }
