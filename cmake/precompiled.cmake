@@ -9,8 +9,9 @@ set(KREDA_COMMON_HEADERS
 
 # kreda_precompile(TARGET [HEADER...]): the common headers and these. Not for the rooms of formulas: with a precompiled
 # <string> GCC 12 takes std::string's own code for ours and warns falsely about it, so two warnings are off here.
+set(KREDA_PRECOMPILED_WARNINGS
+  "$<$<CXX_COMPILER_ID:GNU>:-Wno-array-bounds;-Wno-stringop-overflow;-Wno-stringop-overread>")
 function(kreda_precompile target)
   target_precompile_headers(${target} PRIVATE ${KREDA_COMMON_HEADERS} ${ARGN})
-  target_compile_options(${target} PRIVATE
-    "$<$<CXX_COMPILER_ID:GNU>:-Wno-array-bounds;-Wno-stringop-overflow;-Wno-stringop-overread>")
+  target_compile_options(${target} PRIVATE ${KREDA_PRECOMPILED_WARNINGS})
 endfunction()

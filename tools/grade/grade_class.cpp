@@ -130,8 +130,7 @@ ClassSummary grade_class(const GradeRun& wish) {
     std::vector<ParallelJob> jobs;
     for (const std::string& name : names) {
         const GradeRun one = run_of(run, name);
-        const std::optional<StoredResult> stored = stored_result(one.out);
-        if (stored && stored->key == grade_key(one)) continue;
+        if (result_of_before(one)) continue;
         make_folder(one.out.string());
         std::error_code ignored;
         fs::remove(one.out / "result.json", ignored);

@@ -3,6 +3,7 @@
 #include <iomanip>
 #include <iostream>
 #include <memory>
+#include <optional>
 #include <sstream>
 #include <string>
 
@@ -38,7 +39,7 @@ Examples:
 struct CommandOptions {
     std::string folder, class_folder, rubric, out = "graded", formats = "all", box;
     std::vector<std::string> hidden;
-    bool unsafe = false;
+    bool unsafe = false, resume = false;
     int jobs = 0;
 };
 
@@ -85,13 +86,14 @@ void print(const GradeResult& result, const GradeRun& run) {
         std::cout << "\n";
     }
     if (!result.diagnosis.empty()) std::cout << plain_text(result.diagnosis) << "\n";
-    std::cerr << "wrote " << (run.out / "report.html").string() << "\n";
+    std::cerr << "see " << (run.out / "report.html").string() << "\n";
 }
 
 void grade_command(const CommandOptions& options) {
     const GradeRun run = run_of(options);
     if (!options.folder.empty()) {
-        print(grade_one(run), run);
+        const std::optional<GradeResult> before = options.resume ? result_of_before(run) : std::nullopt;
+        print(before ? *before : grade_one(run), run);
         return;
     }
     const ClassSummary summary = grade_class(run);
@@ -125,6 +127,8 @@ void add_grade_command(CLI::App& app) {
     command->add_option("--box", options->box, "Use this box or none; otherwise the strongest that works here")
         ->check(CLI::IsMember({"bubblewrap", "landlock"}));
     command->add_flag("--unsafe", options->unsafe, "Where there is no box, run with limits alone");
+    command->add_flag("--resume", options->resume,
+                      "Keep a result in OUT that is of these very files (--class always does)");
     command->add_option("--jobs", options->jobs, "With --class: submissions at a time; default: one a core")
         ->check(CLI::Range(1, 1024));
     command->callback([options] { grade_command(*options); });

@@ -31,9 +31,11 @@ std::string limit_text(const Measurement& measurement) {
 /// The message, the measurements beside their limits, and the command that repeats it.
 std::string told(const TestResult& test) {
     if (test.hidden) return kHidden;
-    std::string text = plain_text(test.message);
-    for (const Measurement& measurement : test.measurements) text += "\n" + plain_text(limit_text(measurement));
-    if (!test.command.empty()) text += "\nAgain: " + plain_text(test.command);
+    std::string text;
+    const auto add = [&](const std::string& lines) { text += (text.empty() ? "" : "\n") + plain_text(lines); };
+    if (!test.message.empty()) add(test.message);
+    for (const Measurement& measurement : test.measurements) add(limit_text(measurement));
+    if (!test.command.empty()) add("Again: " + test.command);
     return text;
 }
 

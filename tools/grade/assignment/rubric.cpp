@@ -21,6 +21,7 @@ RubricStage read_stage(const scene::Value& table) {
     reader.read("equation", stage.equation, 0, 99);
     reader.read("absolute", stage.absolute, 0.0, 1.0);
     reader.read("relative", stage.relative, 0.0, 1.0);
+    reader.read("calls", stage.calls);
     reader.read("picture", stage.picture);
     reader.read("encoded", stage.encoded);
     reader.done();

@@ -12,14 +12,15 @@ namespace kreda::tools {
 
 /// One function of the student's: what it computes, as the lecture writes it.
 struct RubricStage {
-    std::string name;        ///< the function's, as in student.cpp
-    std::string formula;     ///< "r = 2 (n.l) n - l"
-    std::string page;        ///< of docs/, without ".md": "22_phong_terms"
-    int equation = 0;        ///< its number on that page; 0: it has none
-    double absolute = 2e-5;  ///< a number may be off by this ...
-    double relative = 2e-4;  ///< ... and by this share of the largest of the expected numbers
-    bool picture = false;    ///< its rows are a picture's pixels; its first result, 1 or 3 numbers, is their colour
-    bool encoded = false;    ///< the colour is what the picture holds, not linear light
+    std::string name;                ///< the function's, as in student.cpp
+    std::string formula;             ///< "r = 2 (n.l) n - l"
+    std::string page;                ///< of docs/, without ".md": "22_phong_terms"
+    int equation = 0;                ///< its number on that page; 0: it has none
+    double absolute = 2e-5;          ///< a number may be off by this ...
+    double relative = 2e-4;          ///< ... and by this share of the largest of the expected numbers
+    std::vector<std::string> calls;  ///< functions that must be right, too; none: of a picture all those before it
+    bool picture = false;  ///< its rows are a picture's pixels; its first result, 1 or 3 numbers, is their colour
+    bool encoded = false;  ///< the colour is what the picture holds, not linear light
 };
 
 struct RubricTest {

@@ -41,96 +41,116 @@ void fail(TestResult& result, const std::string& message) {
     result.passed = false;
 }
 
-void test_rows(const RubricStage& stage, const CaseSet& cases, const Answers& answers, std::size_t i,
-               TestResult& result) {
-    const StageTable& input = cases.inputs[i];
-    const StageCheck check = check_stage(stage, input, cases.expected[i], answers.tables[i]);
-    result.measurements.push_back(
-        {"wrong rows, " + input.scene, static_cast<double>(check.wrong), 0.0,
-         "of " + std::to_string(check.rows) + "; a number may be off by " + number_text(stage.relative * 100.0) + " %",
-         check.wrong == 0});
+/// A set of answers while it is marked; every table is checked once.
+struct Marking {
+    const Rubric& rubric;
+    const CaseSet& cases;
+    const Answers& answers;
+    std::vector<StageCheck> checks;  ///< one a table; of those that were not answered nothing
+
+    [[nodiscard]] const RubricStage& stage(std::size_t i) const {
+        return *rubric.find_stage(cases.inputs[i].stage);
+    }
+    [[nodiscard]] bool is_right(std::size_t i) const {
+        return is_answered(answers.tables[i]) && checks[i].passed();
+    }
+    [[nodiscard]] std::string wrong_row(std::size_t i) const {
+        return describe_wrong_row(stage(i), cases.inputs[i], cases.expected[i], answers.tables[i], checks[i]);
+    }
+};
+
+Marking make_marking(const Rubric& rubric, const CaseSet& cases, const Answers& answers) {
+    Marking m{rubric, cases, answers, std::vector<StageCheck>(cases.inputs.size())};
+    for (std::size_t i = 0; i < cases.inputs.size(); ++i) {
+        if (!is_answered(answers.tables[i])) continue;
+        m.checks[i] = check_stage(m.stage(i), cases.inputs[i], cases.expected[i], answers.tables[i]);
+    }
+    return m;
+}
+
+void test_rows(const Marking& m, std::size_t i, TestResult& result) {
+    const StageCheck& check = m.checks[i];
+    result.measurements.push_back({"wrong rows, " + m.cases.inputs[i].scene, static_cast<double>(check.wrong), 0.0,
+                                   "of " + std::to_string(check.rows) + "; a number may be off by " +
+                                       number_text(m.stage(i).relative * 100.0) + " %",
+                                   check.wrong == 0});
     if (check.passed()) return;
     const std::string count = std::to_string(check.wrong) + " of " + std::to_string(check.rows) + " rows wrong";
     const std::string broken =
         check.not_finite > 0 ? "; " + std::to_string(check.not_finite) + " with NaN or infinity" : "";
-    fail(result, count + broken + "\n" + describe_wrong_row(stage, input, cases.expected[i], answers.tables[i], check));
+    fail(result, count + broken + "\n" + m.wrong_row(i));
 }
 
-void test_picture(const Rubric& rubric, const RubricStage& stage, const CaseSet& cases, const Answers& answers,
-                  std::size_t i, bool with_pictures, TestResult& result) {
-    const StageTable& input = cases.inputs[i];
-    const SceneCase& scene = cases.scene(input.scene);
-    const StageCheck check = check_stage(stage, input, cases.expected[i], answers.tables[i]);
-    const raster::Image expected = compose(scene, stage, input, cases.expected[i]);
-    const raster::Image student = compose(scene, stage, input, answers.tables[i]);
+void test_picture(const Marking& m, std::size_t i, bool with_pictures, TestResult& result) {
+    const StageTable& input = m.cases.inputs[i];
+    const SceneCase& scene = m.cases.scene(input.scene);
+    const StageCheck& check = m.checks[i];
+    const raster::Image expected = compose(scene, m.stage(i), input, m.cases.expected[i]);
+    const raster::Image student = compose(scene, m.stage(i), input, m.answers.tables[i]);
     const raster::Image mask = doubtful_pixels(scene, input);
-    const Comparison comparison = compare(student, expected, {256}, rubric.picture, &mask);
+    const Comparison comparison = compare(student, expected, {256}, m.rubric.picture, &mask);
     result.measurements.push_back({"pixels with NaN or infinity, " + scene.name, static_cast<double>(check.not_finite),
                                    0.0, "", check.not_finite == 0});
-    for (Measurement m : comparison.checks) {
-        m.name += ", " + scene.name;
-        result.measurements.push_back(m);
+    for (Measurement measurement : comparison.checks) {
+        measurement.name += ", " + scene.name;
+        result.measurements.push_back(measurement);
     }
     if (check.not_finite > 0) fail(result, std::to_string(check.not_finite) + " pixels with NaN or infinity");
-    if (!comparison.passed) {
-        fail(result,
-             describe(comparison) +
-                 (check.wrong > 0 ? "\n" + describe_wrong_row(stage, input, cases.expected[i], answers.tables[i], check)
-                                  : ""));
-    }
+    if (!comparison.passed) fail(result, describe(comparison) + (check.wrong > 0 ? "\n" + m.wrong_row(i) : ""));
     if (!with_pictures) return;
     result.images.push_back({"student", png_of(student)});
     result.images.push_back({"expected", png_of(expected)});
     result.images.push_back({"difference", png_of(heat_map(comparison, expected, {256}))});
 }
 
-/// A counter's sum beside what Kreda needs; rows must be right for it to count.
-void test_work(const RubricTest& test, const CaseSet& cases, const Answers& answers, std::size_t i,
-               TestResult& result) {
+/// A counter's sum beside what Kreda needs.
+void test_work(const Marking& m, const RubricTest& test, std::size_t i, TestResult& result) {
     const auto sum = [&](const StageTable& table) {
         double total = 0.0;
-        for (const double v : table.find(test.work)->values) total += std::isfinite(v) && v > 0.0 ? v : 1e12;
+        for (const double v : table.find(test.work)->values) total += v >= 0.0 ? v : HUGE_VAL;  // NaN, too
         return total;
     };
-    const double most = sum(cases.expected[i]) * test.most_work;
-    const double work = sum(answers.tables[i]);
-    const std::string name = cases.inputs[i].scene;
+    const double most = sum(m.cases.expected[i]) * test.most_work;
+    const double work = sum(m.answers.tables[i]);
+    const std::string name = m.cases.inputs[i].scene;
     result.measurements.push_back({test.work + ", " + name, work, most, "at most", work <= most});
     if (work > most) {
         fail(result, test.work + ": " + number_text(work) + " in " + name + ", at most " + number_text(most));
     }
 }
 
-/// A picture that is right although a function before it is wrong is right by accident: two mistakes cancel out.
-void test_functions_before(const Rubric& rubric, const CaseSet& cases, const Answers& answers, std::size_t i,
-                           TestResult& result) {
+/// Is `stage` called by the function of table i? A picture calls all that stand before it.
+bool calls(const Marking& m, std::size_t i, const std::string& stage) {
+    const std::vector<std::string>& names = m.stage(i).calls;
+    if (names.empty()) return m.stage(i).picture;
+    return std::find(names.begin(), names.end(), stage) != names.end();
+}
+
+/// What is right although a function that it calls is wrong is right by accident: two mistakes cancel out.
+void test_called(const Marking& m, std::size_t i, TestResult& result) {
     for (std::size_t k = 0; k < i; ++k) {
-        if (cases.inputs[k].scene != cases.inputs[i].scene) continue;
-        const RubricStage& before = *rubric.find_stage(cases.inputs[k].stage);
-        if (is_answered(answers.tables[k]) &&
-            check_stage(before, cases.inputs[k], cases.expected[k], answers.tables[k]).passed()) {
-            continue;
-        }
-        fail(result, "the picture counts once " + before.name + " is right: here another mistake makes up for it");
+        const StageTable& before = m.cases.inputs[k];
+        if (before.scene != m.cases.inputs[i].scene || !calls(m, i, before.stage) || m.is_right(k)) continue;
+        fail(result, "this counts once " + before.stage + " is right: here another mistake makes up for it");
     }
 }
 
-void test_table(const Rubric& rubric, const RubricTest& test, const CaseSet& cases, const Answers& answers,
-                std::size_t i, bool with_pictures, TestResult& result) {
-    const RubricStage& stage = *rubric.find_stage(test.stage);
-    if (!is_answered(answers.tables[i])) return fail(result, answers.why[i]);
-    if (!test.work.empty()) return test_work(test, cases, answers, i, result);
-    if (!stage.picture) return test_rows(stage, cases, answers, i, result);
-    test_picture(rubric, stage, cases, answers, i, with_pictures, result);
-    if (result.passed) test_functions_before(rubric, cases, answers, i, result);
+void test_table(const Marking& m, const RubricTest& test, std::size_t i, bool with_pictures, TestResult& result) {
+    if (!is_answered(m.answers.tables[i])) return fail(result, m.answers.why[i]);
+    if (m.stage(i).picture) {
+        test_picture(m, i, with_pictures && test.work.empty(), result);
+    } else {
+        test_rows(m, i, result);
+    }
+    if (result.passed) test_called(m, i, result);
+    if (!test.work.empty()) test_work(m, test, i, result);
 }
 
-TestResult run_test(const Rubric& rubric, const RubricTest& test, const CaseSet& cases, const Answers& answers,
-                    bool with_pictures) {
+TestResult run_test(const Marking& m, const RubricTest& test, bool with_pictures) {
     TestResult result{test.name, test.teaches, 0.0, test.points, true, test.hidden, "", {}, {}, ""};
-    const std::vector<std::size_t> tables = tables_of(test, cases);
+    const std::vector<std::size_t> tables = tables_of(test, m.cases);
     if (tables.empty()) fail(result, "no scene calls " + test.stage);
-    for (const std::size_t i : tables) test_table(rubric, test, cases, answers, i, with_pictures, result);
+    for (const std::size_t i : tables) test_table(m, test, i, with_pictures, result);
     if (result.passed) result.points = test.points;
     return result;
 }
@@ -140,9 +160,10 @@ TestResult run_test(const Rubric& rubric, const RubricTest& test, const CaseSet&
 std::vector<TestResult> score(const Rubric& rubric, const CaseSet& cases, const Answers& answers, bool with_pictures) {
     const bool has_hidden =
         std::any_of(cases.scenes.begin(), cases.scenes.end(), [](const SceneCase& s) { return s.hidden; });
+    const Marking marking = make_marking(rubric, cases, answers);
     std::vector<TestResult> results;
     for (const RubricTest& test : rubric.tests) {
-        if (!test.hidden || has_hidden) results.push_back(run_test(rubric, test, cases, answers, with_pictures));
+        if (!test.hidden || has_hidden) results.push_back(run_test(marking, test, with_pictures));
     }
     return results;
 }
