@@ -40,6 +40,7 @@ struct CommandOptions {
     std::vector<std::string> hidden;
     bool unsafe = false;
     int jobs = 0;
+    int viva = 0;
 };
 
 std::vector<std::string> formats_named(const std::string& words) {
@@ -71,6 +72,7 @@ GradeRun run_of(const CommandOptions& options) {
         if (name_of(tier) == options.box) run.options.tier = tier;
     }
     run.jobs = options.jobs;
+    run.options.viva = options.viva;
     return run;
 }
 
@@ -127,6 +129,11 @@ void add_grade_command(CLI::App& app) {
     command->add_flag("--unsafe", options->unsafe, "Where there is no box, run with limits alone");
     command->add_option("--jobs", options->jobs, "With --class: submissions at a time; default: one a core")
         ->check(CLI::Range(1, 1024));
+    command
+        ->add_option("--viva", options->viva,
+                     "Also N questions about this very submission: viva.md, and the answers in viva_key.md")
+        ->type_name("N")
+        ->check(CLI::Range(1, 50));
     command->callback([options] { grade_command(*options); });
 }
 
