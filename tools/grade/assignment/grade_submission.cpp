@@ -16,8 +16,10 @@ std::string command_of(const Rubric& rubric, const std::filesystem::path& folder
 void grade_answers(const Rubric& rubric, const CaseSet& cases, const Answers& answers, GradeResult& result) {
     result.tests = score(rubric, cases, answers, true);
     if (points_of(result.tests) == max_points_of(result.tests)) return;
-    const Catalogue catalogue = make_catalogue(rubric, cases);
-    result.diagnosis = diagnosis_text(diagnose(rubric, cases, answers, catalogue), catalogue);
+    if (std::filesystem::exists(rubric.folder() / "teacher" / "mistakes.toml")) {  // students have no catalogue
+        const Catalogue catalogue = make_catalogue(rubric, cases);
+        result.diagnosis = diagnosis_text(diagnose(rubric, cases, answers, catalogue), catalogue);
+    }
     const std::string first = first_wrong_stage(rubric, cases, answers);
     if (!first.empty()) result.diagnosis += (result.diagnosis.empty() ? "" : "\n") + first;
 }

@@ -4,6 +4,7 @@
 
 #include <CLI/CLI.hpp>
 
+#include "scene/error.hpp"
 #include "tools/commands.hpp"
 #include "tools/grade/assignment/hidden_scenes.hpp"
 
@@ -23,12 +24,17 @@ Example:
 struct HiddenOptions {
     std::string rubric, out;
     std::uint32_t seed = 1;
+    bool golden = false;
 };
 
 void hidden_command(const HiddenOptions& options) {
-    for (const auto& file : write_hidden_scenes(read_rubric(options.rubric), options.seed, options.out)) {
-        std::cout << file.string() << "\n";
+    const Rubric rubric = read_rubric(options.rubric);
+    if (options.out.empty() && !options.golden) throw scene::UserError("kreda hidden: -o DIR is missing");
+    if (options.golden) {
+        for (const auto& file : write_golden_pictures(rubric)) std::cout << file.string() << "\n";
     }
+    if (options.out.empty()) return;
+    for (const auto& file : write_hidden_scenes(rubric, options.seed, options.out)) std::cout << file.string() << "\n";
 }
 
 }  // namespace
@@ -39,7 +45,9 @@ void add_hidden_command(CLI::App& app) {
     const auto options = std::make_shared<HiddenOptions>();
     command->add_option("--rubric", options->rubric, "rubric.toml of the assignment")->type_name("FILE")->required();
     command->add_option("--seed", options->seed, "Any number")->capture_default_str();
-    command->add_option("-o,--output", options->out, "The folder of the scenes")->type_name("DIR")->required();
+    command->add_option("-o,--output", options->out, "The folder of the scenes")->type_name("DIR");
+    command->add_flag("--golden", options->golden,
+                      "Draw the golden pictures of the public scenes anew, too: golden/ beside the rubric");
     command->callback([options] { hidden_command(*options); });
 }
 

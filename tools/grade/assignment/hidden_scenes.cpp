@@ -136,7 +136,7 @@ std::vector<fs::path> write_hidden_scenes(const Rubric& rubric, std::uint32_t se
     for (const SceneCase& scene : cases.scenes) {
         if (!scene.hidden) continue;
         fs::path picture = scene.file;
-        scene::write_png(picture.replace_extension(".png").string(), develop(scene.film, scene.settings));
+        scene::write_png(picture.replace_extension(".png").string(), golden_picture(rubric, cases, scene));
     }
     for (const RubricStage& stage : rubric.stages) {
         const auto is_called = [&](const StageTable& t) {
@@ -144,6 +144,18 @@ std::vector<fs::path> write_hidden_scenes(const Rubric& rubric, std::uint32_t se
         };
         if (std::any_of(cases.inputs.begin(), cases.inputs.end(), is_called)) continue;
         throw scene::UserError("no hidden scene of this seed calls " + stage.name + "; try another seed");
+    }
+    return files;
+}
+
+std::vector<fs::path> write_golden_pictures(const Rubric& rubric) {
+    const fs::path folder = rubric.folder() / "golden";
+    make_folder(folder.string());
+    const CaseSet cases = make_cases(rubric, {});
+    std::vector<fs::path> files;
+    for (const SceneCase& scene : cases.scenes) {
+        files.push_back(folder / (scene.name + ".png"));
+        scene::write_png(files.back().string(), golden_picture(rubric, cases, scene));
     }
     return files;
 }

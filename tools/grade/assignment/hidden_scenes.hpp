@@ -20,4 +20,7 @@ namespace kreda::tools {
 std::vector<std::filesystem::path> write_hidden_scenes(const Rubric& rubric, std::uint32_t seed,
                                                        const std::filesystem::path& folder);
 
+/// The golden pictures of the public scenes, golden/NAME.png beside the rubric. Returns the files. Throws UserError.
+std::vector<std::filesystem::path> write_golden_pictures(const Rubric& rubric);
+
 }  // namespace kreda::tools
