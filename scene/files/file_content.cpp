@@ -8,7 +8,7 @@ namespace kreda::scene {
 
 namespace {
 
-constexpr std::string_view kUnpack = "; unpack it first";
+constexpr std::string_view kUnpack = ", not what its name says; unpack it first";
 constexpr std::string_view kExport = "; Kreda reads meshes as OBJ: export one with Blender (File, Export, Wavefront)";
 constexpr std::string_view kConvert = "; save it as PNG, JPEG or EXR";
 
@@ -20,9 +20,10 @@ struct Kind {
 };
 
 constexpr std::array<Kind, 22> kKinds = {{
-    {"<!doctype html", "a web page (HTML)", "; download the file itself"},
-    {"<html", "a web page (HTML)", "; download the file itself"},
-    {"version https://git-lfs", "a Git LFS pointer", "; fetch the file itself with `git lfs pull`"},
+    {"<!doctype html", "a web page (HTML)", ", not what its name says; download the file itself"},
+    {"<html", "a web page (HTML)", ", not what its name says; download the file itself"},
+    {"version https://git-lfs", "a Git LFS pointer",
+     ", not what its name says; fetch the file itself with `git lfs pull`"},
     {"\x1f\x8b", "a gzip archive", kUnpack},
     {"pk\3\4", "a zip archive", kUnpack},
     {"7z\xbc\xaf", "a 7z archive", kUnpack},
@@ -62,7 +63,7 @@ std::string in_lower_case_without_margin(std::string_view start) {
 
 std::string other_content(std::string_view start) {
     const auto sentence = [](std::string_view is, std::string_view remedy) {
-        return "is " + std::string(is) + ", not what its name says" + std::string(remedy);
+        return "is " + std::string(is) + std::string(remedy);
     };
     const std::string_view brand = media_brand(start);
     if (brand.starts_with("hei") || brand == "mif1") return sentence("a HEIC picture", kConvert);

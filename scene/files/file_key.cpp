@@ -32,6 +32,10 @@ std::string did_you_mean_file(const std::string& path) {
 }
 
 std::string existing_file(const Value& key, const std::string& folder) {
+    if (key.text.find("://") != std::string::npos) {
+        throw UserError(key.place, in_quotes(key.key) + ": " + path_in_quotes(key.text) +
+                                       " is an address; Kreda reads files: download it beside the scene");
+    }
     const std::string path = path_in(folder, key.text);
     std::error_code failed;
     if (fs::is_regular_file(path, failed)) return path;

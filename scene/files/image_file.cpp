@@ -89,6 +89,7 @@ raster::Image display_window(const OIIO::ImageSpec& spec, const std::vector<floa
 void check_is_file(const std::string& path) {
     if (!fs::exists(path)) throw UserError(Place{path}, "no such image file");
     if (!fs::is_regular_file(path)) throw UserError(Place{path}, "is not a file; an image file is needed");
+    if (fs::file_size(path) == 0) throw UserError(Place{path}, "is empty; an image file is needed");
 }
 
 /// While it lives, what C libraries print on stderr is lost: libpng complains there, and we complain again. std::cerr

@@ -54,14 +54,40 @@ void read_material_file(const ObjName& library, MaterialReader& reader) {
     for (std::string word; words >> word;) reader.add(library, word);
 }
 
+/// What a name may mean that no material has: quotes and comments are no part of it, and capitals may differ. "":
+/// nothing.
+std::string nearly_same_name(const MtlMaterials& materials, const std::string& name) {
+    const auto plain = [](std::string word) {
+        if (word.size() > 2 && word.front() == '"' && word.back() == '"') word = word.substr(1, word.size() - 2);
+        return in_lower_case(without_comment(word));
+    };
+    std::string found;
+    for (const auto& [known, index] : materials.index_of_name) {
+        if (plain(known) == plain(name) && (found.empty() || known < found)) found = known;
+    }
+    return found;
+}
+
+/// Materials that faces use and that are in no MTL: those of nearly the same name are used instead.
+void settle_missing(const ObjScan& scan, MaterialReader& reader) {
+    std::vector<std::string> names;
+    for (const lighting::Material& material : reader.materials.materials) names.push_back(material.name);
+    for (const ObjName& used : scan.materials) {
+        if (reader.materials.index_of_name.contains(used.name)) continue;
+        const std::string other = nearly_same_name(reader.materials, used.name), near = nearest_word(used.name, names);
+        const std::string remedy = !other.empty()  ? "; " + in_quotes(other) + " is used instead"
+                                   : !near.empty() ? "; did you mean " + in_quotes(near) + "?"
+                                                   : "";
+        if (!other.empty()) reader.materials.index_of_name[used.name] = reader.materials.index_of_name[other];
+        reader.warnings.add("materials that are in no MTL file", used.offset,
+                            "the material " + in_quotes(used.name) + " is in no MTL file" + remedy);
+    }
+}
+
 MtlMaterials read_materials(const ObjText& obj, const ObjScan& scan, bool allow_outside) {
     MaterialReader reader{obj, {folder_of(obj.file), allow_outside}, ObjWarnings(obj), {}};
     for (const ObjName& library : scan.material_files) read_material_file(library, reader);
-    for (const ObjName& used : scan.materials) {
-        if (reader.materials.index_of_name.contains(used.name)) continue;
-        reader.warnings.add("materials that are in no MTL file", used.offset,
-                            "the material " + in_quotes(used.name) + " is in no MTL file");
-    }
+    settle_missing(scan, reader);
     const std::vector<std::string> lines = reader.warnings.lines();
     reader.materials.warnings.insert(reader.materials.warnings.begin(), lines.begin(), lines.end());
     return std::move(reader.materials);

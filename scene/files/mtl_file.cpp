@@ -62,6 +62,29 @@ bool* given_number(Given& given, std::string_view keyword) {
     return keyword == "Pm" ? &given.Pm : nullptr;
 }
 
+/// A reflectance beyond 0..1 is drawn as it is written, but perhaps not meant so.
+void check_share(Scanner& s, std::string_view keyword, const std::array<std::string_view, 3>& rgb) {
+    for (const std::string_view number : rgb) {
+        const double value = parse_finite(s.cursor, number, "a colour: r g b");
+        const bool is_bright = value > 1.0 && keyword != "Ke";
+        if (value >= 0.0 && !is_bright) continue;
+        return warn(s, "colours beyond 0..1", number,
+                    in_quotes(number) + ": " + std::string(keyword) +
+                        (value < 0.0 ? " is less than no light"
+                                     : " reflects more light than arrives; bytes are to be divided by 255"));
+    }
+}
+
+/// Calls scan(); what it complains of is a warning: a surface without one of its numbers is still one.
+template <class Scan>
+void scan_or_warn(Scanner& s, Scan scan) {
+    try {
+        scan();
+    } catch (const UserError& error) {
+        s.warnings.add_line("statements that cannot be read", std::string(error.what()) + "; the statement is ignored");
+    }
+}
+
 /// Kd r [g b]: one number means grey, which the library would read as red.
 void scan_color(Scanner& s, std::string_view keyword, bool& given) {
     std::string_view token = s.cursor.next_number_token();
@@ -79,7 +102,11 @@ void scan_color(Scanner& s, std::string_view keyword, bool& given) {
         rgb[i] = token;
         token = s.cursor.next_number_token();
     }
-    if (!token.empty()) s.cursor.fail(token, "a colour has 3 numbers: r g b");
+    if (!token.empty()) {
+        warn(s, "colours of more than 3 numbers", token,
+             in_quotes(token) + ": a colour has 3 numbers, r g b; the rest is ignored");
+    }
+    check_share(s, keyword, rgb);
     s.scan.statements += keyword;
     for (const std::string_view number : rgb) s.scan.statements.append(" ").append(number);
     s.scan.statements += '\n';
@@ -216,10 +243,14 @@ void scan_keyword(Scanner& s, std::string_view keyword) {
                     in_quotes(keyword) + " before the first newmtl is ignored");
     }
     Given& given = s.scan.given.back();
-    if (bool* const color = given_color(given, keyword)) return scan_color(s, keyword, *color);
-    if (bool* const number = given_number(given, keyword)) return scan_number(s, keyword, *number);
-    if (keyword == "d") return scan_opacity(s, keyword, given.d);
-    if (keyword == "Tr") return scan_opacity(s, keyword, given.Tr);
+    if (bool* const color = given_color(given, keyword)) {
+        return scan_or_warn(s, [&] { scan_color(s, keyword, *color); });
+    }
+    if (bool* const number = given_number(given, keyword)) {
+        return scan_or_warn(s, [&] { scan_number(s, keyword, *number); });
+    }
+    if (keyword == "d") return scan_or_warn(s, [&] { scan_opacity(s, keyword, given.d); });
+    if (keyword == "Tr") return scan_or_warn(s, [&] { scan_opacity(s, keyword, given.Tr); });
     const bool is_map = keyword.starts_with("map_") || keyword == "norm" || keyword == "bump" || keyword == "disp" ||
                         keyword == "refl" || keyword == "decal";
     if (is_map) return scan_map(s, keyword);

@@ -14,7 +14,7 @@ namespace fs = std::filesystem;
 
 bool is_there(const fs::path& path) {
     std::error_code failed;
-    return fs::exists(path, failed);
+    return fs::exists(path, failed) && !fs::is_directory(path, failed);
 }
 
 /// Whether a path ends inside a folder when all links are followed.
@@ -41,7 +41,8 @@ std::string in_any_capitals(const fs::path& folder, const std::string& name) {
 fs::path with_capitals_of_disk(const fs::path& folder, const fs::path& relative) {
     fs::path path = folder;
     for (const fs::path& part : relative) {
-        if (is_there(path / part)) {
+        std::error_code failed;
+        if (fs::exists(path / part, failed)) {
             path /= part;
             continue;
         }
@@ -64,8 +65,18 @@ std::string folder_of(const std::string& path) {
     return folder.empty() ? "." : folder;
 }
 
-NamedPath resolve_named_path(const ObjText& text, std::size_t offset, const std::string& named,
+std::string without_comment(const std::string& name) {
+    const std::size_t comment = std::min(name.find(" #"), name.find("\t#"));
+    return name.substr(0, name.substr(0, comment).find_last_not_of(" \t") + 1);
+}
+
+NamedPath resolve_named_path(const ObjText& text, std::size_t offset, const std::string& whole_name,
                              const NamedFileLimits& limits) {
+    const std::string bare = without_comment(whole_name);
+    if (bare != whole_name && !is_there(fs::path(folder_of(text.file)) / with_slashes(whole_name))) {
+        return resolve_named_path(text, offset, bare, limits);
+    }
+    const std::string& named = whole_name;
     const fs::path folder = folder_of(text.file), portable = with_slashes(named);
     const fs::path path = folder / portable;
     const auto may_be_read = [&](const fs::path& file) { return limits.allow_outside || is_inside(file, limits.root); };
@@ -73,7 +84,7 @@ NamedPath resolve_named_path(const ObjText& text, std::size_t offset, const std:
     if (portable.has_filename()) {
         const fs::path other = portable.is_absolute() ? fs::path() : with_capitals_of_disk(folder, portable);
         for (const fs::path& file : {other, with_capitals_of_disk(folder, portable.filename())}) {
-            if (!file.empty() && file != path && may_be_read(file)) return {file.string(), true};
+            if (!file.empty() && file != path && is_there(file) && may_be_read(file)) return {file.string(), true};
         }
     }
     if (!is_there(path)) return {};

@@ -32,6 +32,10 @@ struct NamedPath {
                                           const NamedFileLimits& limits, const std::string& kind,
                                           const std::string& without, ObjWarnings& warnings);
 
+/// A name up to a comment: "wood.png # oak" -> "wood.png". Whoever has a thing of the whole name takes that: "Material
+/// #25" is one.
+[[nodiscard]] std::string without_comment(const std::string& name);
+
 /// The folder of a file: "." where its path names none.
 [[nodiscard]] std::string folder_of(const std::string& path);
 

@@ -200,7 +200,7 @@ void scan_face(Scanner& s, std::size_t offset) {
 void scan_smoothing_group(Scanner& s) {
     const std::string_view token = s.cursor.next_number_token();
     const std::string word = in_lower_case(token);
-    std::uint32_t group = 0;
+    std::int64_t group = 0;  // a label: of any other number than 0 the lower half will do
     const std::from_chars_result result = std::from_chars(token.data(), token.data() + token.size(), group);
     const bool is_number = result.ec == std::errc() && result.ptr == token.data() + token.size();
     if (word == "on") {
@@ -209,7 +209,7 @@ void scan_smoothing_group(Scanner& s) {
     } else if (word != "off" && !is_number) {
         s.cursor.fail(token, "expected a smoothing group: a number or off");
     }
-    s.smoothing_group = group;
+    s.smoothing_group = group == 0 ? 0 : std::max(static_cast<std::uint32_t>(group), 1u);
     s.scan.has_smoothing_groups = true;
 }
 
@@ -287,7 +287,10 @@ ObjScan scan_obj(const ObjText& text) {
         s.scan.warnings.push_back(s.first_ignored + " and what is like it is ignored: " + std::to_string(s.ignored) +
                                   " statements that make no triangle");
     }
-    if (s.scan.faces.empty()) throw UserError(Place{text.file}, "holds no triangle; an OBJ mesh needs `f` lines");
+    if (s.scan.faces.empty()) {
+        throw UserError(Place{text.file}, "holds no triangle; an OBJ mesh needs `f` lines" +
+                                              (s.ignored > 0 ? " (not read: " + s.first_ignored + ")" : ""));
+    }
     return std::move(s.scan);
 }
 

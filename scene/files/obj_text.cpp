@@ -26,7 +26,7 @@ bool is_capital(char c) {
     return c >= 'A' && c <= 'Z';
 }
 bool is_blank(char c) {
-    return c == ' ' || c == '\t';
+    return c == ' ' || c == '\t' || c == '\v' || c == '\f';
 }
 
 std::string read_bytes(const std::string& path, std::size_t size) {
@@ -77,10 +77,14 @@ ObjText read_obj_text(const std::string& path) {
 }
 
 void ObjWarnings::add(std::string_view kind, std::size_t offset, const std::string& message) {
+    add_line(kind, warning_at(text_, offset, message));
+}
+
+void ObjWarnings::add_line(std::string_view kind, const std::string& line) {
     constexpr std::size_t kMost = 10;
     auto found = std::find_if(kinds_.begin(), kinds_.end(), [&](const Kind& known) { return known.name == kind; });
     if (found == kinds_.end()) found = kinds_.insert(kinds_.end(), Kind{std::string(kind), {}, 0});
-    if (found->count++ < kMost) found->lines.push_back(warning_at(text_, offset, message));
+    if (found->count++ < kMost) found->lines.push_back(line);
 }
 
 std::vector<std::string> ObjWarnings::lines() const {

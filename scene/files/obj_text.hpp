@@ -40,6 +40,8 @@ public:
 
     /// `kind` is what warnings that say the same have in common, in words that fit behind "and 7 more: ".
     void add(std::string_view kind, std::size_t offset, const std::string& message);
+    /// The same with a whole line, which says its place.
+    void add_line(std::string_view kind, const std::string& line);
 
     /// All lines, those of a kind together, the kinds in the order in which they came.
     [[nodiscard]] std::vector<std::string> lines() const;

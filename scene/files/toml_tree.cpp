@@ -138,8 +138,25 @@ std::string syntax_message(const toml::parse_error& error) {
     std::string message(error.description());
     std::replace_if(
         message.begin(), message.end(), [](unsigned char c) { return c < 0x20; }, ' ');
-    const bool unknown_type = message.find("could not determine value type") != std::string::npos;
-    return message + (unknown_type ? " (text needs quotes: \"...\")" : "");
+    return message;
+}
+
+/// What is commonly written instead of TOML, and how TOML writes it.
+std::string syntax_remedy(std::string_view message, std::string_view line) {
+    const auto says = [&](std::string_view words) { return message.find(words) != message.npos; };
+    const auto holds = [&](std::string_view words) { return line.find(words) != line.npos; };
+    const std::size_t first = line.find_first_not_of(" \t");
+    const std::string_view start = first == line.npos ? "" : line.substr(first);
+    if (holds("\xe2\x80\x9c") || holds("\xe2\x80\x9d") || holds("\xe2\x80\x99"))
+        return "write straight quotes: \"...\"";
+    if (start.starts_with("//") || start.starts_with("/*")) return "a comment begins with #";
+    if (start.starts_with("{")) return "a scene file is TOML, not JSON: `kreda keys --example` prints one";
+    if (says("expected '=', saw ':'")) return "TOML writes key = value";
+    if (says("could not determine value type")) return "text needs quotes: \"...\"";
+    if (says("unknown escape sequence")) return "write / between folders, or quote the path with '...'";
+    if (says("expected 'true'") || says("expected 'false'")) return "TOML writes true and false in small letters";
+    if (says("floating-point: expected decimal digit")) return "a digit stands on both sides of the point: 0.5, 1.0";
+    return "";
 }
 
 bool redefines(const toml::parse_error& error) {
@@ -185,7 +202,9 @@ Value parse_toml(const std::string& text, const std::string& name) {
     } catch (const toml::parse_error& error) {
         const Place place = place_at(error.source().begin, name);
         const std::string repeated = table_written_twice(line_of(text, place.line));
-        throw UserError(place, repeated.empty() || !redefines(error) ? syntax_message(error) : repeated);
+        if (redefines(error) && !repeated.empty()) throw UserError(place, repeated);
+        const std::string message = syntax_message(error), remedy = syntax_remedy(message, line_of(text, place.line));
+        throw UserError(place, message + (remedy.empty() ? "" : " (" + remedy + ")"));
     }
 }
 

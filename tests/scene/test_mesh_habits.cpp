@@ -94,6 +94,16 @@ TEST_CASE("mesh habits: an odd line of an MTL costs one warning, and the rest co
           Odd{"d 0.3\n", "a.mtl:3:1: 'd': this material is transparent", "drawn opaque"},
           Odd{"Tr 0.7\n", "a.mtl:3:1: 'Tr': this material is transparent", "drawn opaque"},
           Odd{"d -halo 0.3\n", "a.mtl:3:1: 'd'", "drawn opaque"},
+          Odd{"Kd 1 0\n", "a.mtl:3:7: the line ends", "r g b; the statement is ignored"},
+          Odd{"Kd\n", "a.mtl:3:3: the line ends", "ignored"},
+          Odd{"Kd 1 nan 0\n", "a.mtl:3:6: 'nan'", "finite"},
+          Odd{"Kd 0,5\n", "a.mtl:3:4: '0,5'", "decimals with a point"},
+          Odd{"Pm x\n", "a.mtl:3:4: 'x'", "a number"},
+          Odd{"d x\n", "a.mtl:3:3: 'x'", "an opacity"},
+          Odd{"Ks 0 0 0 1\n", "a.mtl:3:10: '1': a colour has 3 numbers", "the rest is ignored"},
+          Odd{"Ks 0 255 0\n", "a.mtl:3:6: '255': Ks reflects more light than arrives", "divided by 255"},
+          Odd{"Ka -1 0 0\n", "a.mtl:3:4: '-1': Ka is less than no light", ""},
+          Odd{"map_Kd .\n", "a.mtl:3:1: no such image file: '.'", "without it"},
           Odd{"Ns -1\n", "a.mtl:3:4: '-1': Ns is the specular exponent", "0 is used"},
           Odd{"Pr 1.5\n", "a.mtl:3:4: '1.5': Pr is the roughness", "1 is used"}}) {
         CAPTURE(odd.text);
@@ -146,6 +156,43 @@ TEST_CASE("mesh habits: maps of an MTL go where they belong, options and capital
     result = load(folder, "a.obj");
     CHECK(result.loaded.materials[0].maps.normal.file == folder.file("norm.png"));
     CHECK_FALSE(result.loaded.materials[0].maps.normal_from_height);
+}
+
+TEST_CASE("mesh habits: a material's name in quotes, with a comment or in other capitals is found") {
+    for (const std::string used : {"wood", "Wood", "\"wood\"", "wood # oak"}) {
+        for (const std::string defined : {"wood", "WOOD", "wood # oak", "\"wood\""}) {
+            if (used == defined) continue;
+            CAPTURE(used);
+            CAPTURE(defined);
+            const LoadedText result = load_text("mtllib a.mtl\n" + kVertices + "usemtl " + used + "\nf 1 2 3\n",
+                                                "newmtl " + defined + "\nKd 1 0 0\n");
+            CHECK(only_warning(result) ==
+                  "a.obj:5:1: the material '" + used + "' is in no MTL file; '" + defined + "' is used instead");
+            CHECK(result.loaded.mesh.parts.at(0).material == 0);
+        }
+    }
+    const LoadedText misspelt = load_text("mtllib a.mtl\n" + kVertices + "usemtl woood\nf 1 2 3\n", "newmtl wood\n");
+    CHECK(has(only_warning(misspelt), "'woood' is in no MTL file; did you mean 'wood'?"));
+    CHECK(misspelt.loaded.mesh.parts.at(0).material == -1);
+    const TempFolder folder;
+    folder.write("wood.png", "x");
+    folder.write("wood #2.png", "x");
+    folder.write("a.mtl", "newmtl a\nmap_Kd wood.png # oak\nnewmtl b\nmap_Kd wood #2.png\n");
+    folder.write("a.obj", "mtllib a.mtl # mine\n" + kVertices + "usemtl a\nf 1 2 3\n");
+    const LoadedText maps = load(folder, "a.obj");
+    CHECK(maps.warnings.empty());
+    CHECK(maps.loaded.materials.at(0).maps.diffuse.file == folder.file("wood.png"));
+    CHECK(maps.loaded.materials.at(1).maps.diffuse.file == folder.file("wood #2.png"));
+}
+
+TEST_CASE("mesh habits: form feeds are blanks, and any number is a smoothing group") {
+    CHECK(load_text("v\f0 0 0\nv 1 0 0\v\nv 0 1 0\n\ff 1 2 3\n").warnings.empty());
+    for (const char* group : {"4294967296", "-1", "4294967297"}) {
+        CAPTURE(group);
+        const LoadedText result = load_text(kVertices + "s " + group + "\nf 1 2 3\n");
+        CHECK(result.warnings.empty());
+        CHECK(result.loaded.mesh.triangle_count() == 1);
+    }
 }
 
 TEST_CASE("mesh habits: a path that differs in capitals is found, and a name misspelt gets its neighbour's") {

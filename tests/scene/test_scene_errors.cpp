@@ -195,6 +195,23 @@ TEST_CASE("Text that is not TOML is reported with its place") {
     CHECK(place("[camera]\nnear = \n") == "s.toml:2:8");
     CHECK(place("[camera]\nnear = 1\nnear = 2\n") == "s.toml:3:8");
     CHECK(has(complaint("[shading]\ncull = back\n"), "text needs quotes"));
+    struct Habit {
+        std::string text, remedy;
+    };
+    for (const Habit& habit :
+         {Habit{"[[object]]\nmesh = \xe2\x80\x9c"
+                "cube\xe2\x80\x9d\n",
+                "write straight quotes"},
+          Habit{"// a scene\n", "a comment begins with #"}, Habit{"{\"camera\": 1}\n", "TOML, not JSON"},
+          Habit{"camera:\n  near: 1\n", "TOML writes key = value"},
+          Habit{"[[object]]\nmesh = \"C:\\models\\a.obj\"\n", "write / between folders"},
+          Habit{"[[light]]\nshadow = True\n", "true and false in small letters"},
+          Habit{"[[light]]\nshadow = False\n", "true and false in small letters"},
+          Habit{"[camera]\nnear = .5\n", "both sides of the point"},
+          Habit{"[camera]\nnear = 1.\n", "both sides of the point"}}) {
+        CAPTURE(habit.text);
+        CHECK(has(complaint(habit.text), habit.remedy));
+    }
     const std::string bracket = ": this is not TOML: expected a value or the right closing bracket";
     CHECK(complaint("[camera]\n# \xC3\xA9\nup = [0, }\nfar = 2\n") == "s.toml:3:10" + bracket);
     CHECK(complaint("x = [}") == "s.toml:1:6" + bracket);
