@@ -35,12 +35,17 @@ struct GradeResult {
     std::string submission;  ///< the folder's name
     double points = 0.0;     ///< the sum of the tests'
     double max_points = 0.0;
-    BoxTier tier = BoxTier::unsafe;
+    std::optional<BoxTier> tier;  ///< empty: nothing of it was run
     std::vector<TestResult> tests;
     std::string diagnosis;  ///< "looks exactly like: ..." or "unknown"; empty where everything passed
     std::string error;      ///< why nothing could be tested (it does not compile); empty otherwise
     double seconds = 0.0;   ///< how long grading took
 };
+
+/// The name of the box, or "none".
+[[nodiscard]] inline std::string box_of(const GradeResult& result) {
+    return result.tier ? name_of(*result.tier) : "none";
+}
 
 /// How the command line wants it graded.
 struct GradeOptions {
