@@ -14,6 +14,7 @@ void add_stages_command(CLI::App& app);
 void add_bake_command(CLI::App& app);
 void add_compare_command(CLI::App& app);
 void add_grade_command(CLI::App& app);
+void add_hidden_command(CLI::App& app);
 void add_keys_command(CLI::App& app);
 void add_gallery_command(CLI::App& app);
 void add_bench_command(CLI::App& app);

@@ -93,6 +93,7 @@ int main(int argc, char** argv) {
         kreda::tools::add_bake_command(app);
         kreda::tools::add_compare_command(app);
         kreda::tools::add_grade_command(app);
+        kreda::tools::add_hidden_command(app);
         kreda::tools::add_keys_command(app);
         kreda::tools::add_gallery_command(app);
         kreda::tools::add_bench_command(app);

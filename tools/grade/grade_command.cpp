@@ -41,6 +41,7 @@ struct CommandOptions {
     std::vector<std::string> hidden;
     bool unsafe = false, resume = false;
     int jobs = 0;
+    int viva = 0;
 };
 
 std::vector<std::string> formats_named(const std::string& words) {
@@ -72,6 +73,7 @@ GradeRun run_of(const CommandOptions& options) {
         if (name_of(tier) == options.box) run.options.tier = tier;
     }
     run.jobs = options.jobs;
+    run.options.viva = options.viva;
     return run;
 }
 
@@ -131,6 +133,11 @@ void add_grade_command(CLI::App& app) {
                       "Keep a result in OUT that is of these very files (--class always does)");
     command->add_option("--jobs", options->jobs, "With --class: submissions at a time; default: one a core")
         ->check(CLI::Range(1, 1024));
+    command
+        ->add_option("--viva", options->viva,
+                     "Also N questions about this very submission: viva.md, and the answers in viva_key.md")
+        ->type_name("N")
+        ->check(CLI::Range(1, 50));
     command->callback([options] { grade_command(*options); });
 }
 

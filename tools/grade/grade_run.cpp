@@ -49,6 +49,7 @@ std::string grade_key(const GradeRun& run) {
     std::string key = content_of(run.folder) + content_of(fs::absolute(run.rubric).parent_path());
     for (const fs::path& hidden : run.options.hidden) key += content_of(hidden);
     for (const std::string& format : run.formats) key += "," + format;
+    if (run.options.viva > 0) key += ",viva " + std::to_string(run.options.viva);
     return key;
 }
 
@@ -61,6 +62,10 @@ void write_results(const GradeRun& run, const GradeResult& result) {
         const fs::path file = run.out / format.file;
         make_folder(file.parent_path().string());
         write_file(file.string(), format.text(result));
+    }
+    if (!result.viva.empty()) {
+        write_file((run.out / "viva.md").string(), result.viva);
+        write_file((run.out / "viva_key.md").string(), result.viva_key);
     }
     write_file((run.out / "result.json").string(), result_json(result, grade_key(run)));
 }

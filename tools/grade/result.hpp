@@ -40,6 +40,8 @@ struct GradeResult {
     std::string diagnosis;  ///< "looks exactly like: ..." or "unknown"; empty where everything passed
     std::string error;      ///< why nothing could be tested (it does not compile); empty otherwise
     double seconds = 0.0;   ///< how long grading took
+    std::string viva;       ///< questions about this submission, as Markdown; empty unless they were asked for
+    std::string viva_key;   ///< the same with the answers
 };
 
 /// The name of the box, or "none".
@@ -52,6 +54,7 @@ struct GradeOptions {
     std::vector<std::filesystem::path> hidden;  ///< folders of hidden scenes
     bool allow_unsafe = false;
     std::optional<BoxTier> tier;  ///< of BoxRequest
+    int viva = 0;                 ///< how many questions about the submission
 };
 
 }  // namespace kreda::tools

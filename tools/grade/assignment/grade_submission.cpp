@@ -2,6 +2,8 @@
 
 #include <chrono>
 
+#include "tools/grade/assignment/viva.hpp"
+
 namespace kreda::tools {
 
 namespace {
@@ -14,10 +16,20 @@ std::string command_of(const Rubric& rubric, const std::filesystem::path& folder
 void grade_answers(const Rubric& rubric, const CaseSet& cases, const Answers& answers, GradeResult& result) {
     result.tests = score(rubric, cases, answers, true);
     if (points_of(result.tests) == max_points_of(result.tests)) return;
-    const Catalogue catalogue = make_catalogue(rubric, cases);
-    result.diagnosis = diagnosis_text(diagnose(rubric, cases, answers, catalogue), catalogue);
+    if (std::filesystem::exists(rubric.folder() / "teacher" / "mistakes.toml")) {  // students have no catalogue
+        const Catalogue catalogue = make_catalogue(rubric, cases);
+        result.diagnosis = diagnosis_text(diagnose(rubric, cases, answers, catalogue), catalogue);
+    }
     const std::string first = first_wrong_stage(rubric, cases, answers);
     if (!first.empty()) result.diagnosis += (result.diagnosis.empty() ? "" : "\n") + first;
+}
+
+void add_viva(const Rubric& rubric, const CaseSet& cases, const std::filesystem::path& folder, const Answers& answers,
+              const GradeOptions& options, GradeResult& result) {
+    const auto questions = make_viva(rubric, cases, folder, answers, options.viva, options);
+    const std::string title = result.assignment + ": questions to " + result.submission;
+    result.viva = viva_sheet(title, questions);
+    result.viva_key = viva_key(title, questions);
 }
 
 /// Without a program every test has 0 points.
@@ -42,7 +54,9 @@ GradeResult grade_submission(const Rubric& rubric, const CaseSet& cases, const s
     if (program.file.empty()) {
         grade_nothing(rubric, cases, result);
     } else {
-        grade_answers(rubric, cases, run_submission(rubric, program, cases, options), result);
+        const Answers answers = run_submission(rubric, program, cases, options);
+        grade_answers(rubric, cases, answers, result);
+        if (options.viva > 0) add_viva(rubric, cases, folder, answers, options, result);
     }
     for (TestResult& test : result.tests) {
         if (!test.hidden) test.command = command_of(rubric, folder);

@@ -144,6 +144,16 @@ raster::Image compose(const SceneCase& scene, const RubricStage& stage, const St
     return stage.encoded ? without_non_finite(picture) : develop(picture, scene.settings);
 }
 
+raster::Image golden_picture(const Rubric& rubric, const CaseSet& cases, const SceneCase& scene) {
+    for (std::size_t i = 0; i < cases.inputs.size(); ++i) {
+        const RubricStage& stage = *rubric.find_stage(cases.inputs[i].stage);
+        if (stage.picture && cases.inputs[i].scene == scene.name) {
+            return compose(scene, stage, cases.inputs[i], cases.expected[i]);
+        }
+    }
+    return develop(scene.film, scene.settings);
+}
+
 raster::Image doubtful_pixels(const SceneCase& scene, const StageTable& input) {
     raster::Image mask = raster::make_image(scene.film.width, scene.film.height, 1);
     for (std::size_t row = 0; row < input.doubtful.size(); ++row) {

@@ -39,6 +39,9 @@ struct CaseSet {
 [[nodiscard]] raster::Image compose(const SceneCase& scene, const RubricStage& stage, const StageTable& input,
                                     const StageTable& answers);
 
+/// The golden picture of a scene: what the rubric's picture stage should give, developed.
+[[nodiscard]] raster::Image golden_picture(const Rubric& rubric, const CaseSet& cases, const SceneCase& scene);
+
 /// White where rounding may decide.
 [[nodiscard]] raster::Image doubtful_pixels(const SceneCase& scene, const StageTable& input);
 

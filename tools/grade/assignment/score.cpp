@@ -180,20 +180,31 @@ double max_points_of(const std::vector<TestResult>& tests) {
     return sum;
 }
 
-std::string first_wrong_stage(const Rubric& rubric, const CaseSet& cases, const Answers& answers) {
+namespace {
+
+/// The first wrong stage of the public scenes or of the hidden ones, whose numbers are not told.
+std::string first_wrong_of(const Marking& m, bool hidden) {
     std::string right;
-    for (const RubricStage& stage : rubric.stages) {
-        for (std::size_t i = 0; i < cases.inputs.size(); ++i) {
-            if (cases.inputs[i].stage != stage.name) continue;
+    for (const RubricStage& stage : m.rubric.stages) {
+        for (std::size_t i = 0; i < m.cases.inputs.size(); ++i) {
+            const StageTable& input = m.cases.inputs[i];
+            if (input.stage != stage.name || m.cases.scene(input.scene).hidden != hidden || m.is_right(i)) continue;
             const std::string before = right.empty() ? "" : right + "; ";
-            if (!is_answered(answers.tables[i])) return before + stage.name + ": " + answers.why[i];
-            const StageCheck check = check_stage(stage, cases.inputs[i], cases.expected[i], answers.tables[i]);
-            if (check.passed()) continue;
-            return before + describe_wrong_row(stage, cases.inputs[i], cases.expected[i], answers.tables[i], check);
+            if (!is_answered(m.answers.tables[i])) return before + stage.name + ": " + m.answers.why[i];
+            if (hidden) return before + stage.name + " wrong on a hidden scene";
+            return before + m.wrong_row(i);
         }
         right += (right.empty() ? "" : ", ") + stage.name + " right";
     }
     return "";
+}
+
+}  // namespace
+
+std::string first_wrong_stage(const Rubric& rubric, const CaseSet& cases, const Answers& answers) {
+    const Marking marking = make_marking(rubric, cases, answers);
+    const std::string on_public = first_wrong_of(marking, false);
+    return on_public.empty() ? first_wrong_of(marking, true) : on_public;
 }
 
 }  // namespace kreda::tools
