@@ -84,17 +84,16 @@ TEST_CASE("class: counts of a small class by hand") {
     CHECK(failures_of_tests(kClass) == Counts{{"hard", 3}, {"easy", 1}});
     CHECK(diagnoses(kClass) == Counts{{"affine", 2}, {"unknown", 1}});
     CHECK(histogram(kClass) == std::vector<std::size_t>{1, 0, 0, 0, 0, 2, 0, 0, 0, 1});
-    CHECK(
-        class_csv(kClass) ==
-        "submission,points,max_points,easy,hard,diagnosis,box,error\r\n"
-        "a,0,4,0,0,unknown,unsafe,\r\nb,2,4,2,0,affine,unsafe,\r\nc,2,4,2,0,affine,unsafe,\r\nd,4,4,2,2,,unsafe,\r\n");
+    CHECK(class_csv(kClass) ==
+          "submission,points,max_points,easy,hard,diagnosis,box,error\r\n"
+          "a,0,4,0,0,unknown,none,\r\nb,2,4,2,0,affine,none,\r\nc,2,4,2,0,affine,none,\r\nd,4,4,2,2,,none,\r\n");
 }
 
 TEST_CASE("class: a field of the CSV is neither a formula nor several fields") {
     std::vector<GradeResult> one = {result_of("=cmd|' /C calc'!A0", 1.0, "a, \"b\"\nc")};
     const std::string csv = class_csv(one);
     CHECK(csv.find("\r\n =cmd|' /C calc'!A0,1,4,") != std::string::npos);
-    CHECK(csv.find(",\"a, \"\"b\"\"\",unsafe,") != std::string::npos);
+    CHECK(csv.find(",\"a, \"\"b\"\"\",none,") != std::string::npos);
 }
 
 TEST_CASE("class: the overview links every report and shows identical submissions") {

@@ -79,7 +79,7 @@ GradeRun run_of(const CommandOptions& options) {
 
 void print(const GradeResult& result, const GradeRun& run) {
     std::cout << result.assignment << ": " << points_text(result.points) << " of " << points_text(result.max_points)
-              << " points (box: " << name_of(result.tier) << ")\n";
+              << " points (box: " << box_of(result) << ")\n";
     if (!result.error.empty()) std::cout << plain_text(result.error) << "\n";
     for (const TestResult& test : result.tests) {
         std::cout << (test.passed ? "  passed  " : "  FAILED  ") << std::left << std::setw(30) << plain_text(test.name)

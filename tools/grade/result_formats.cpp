@@ -60,7 +60,7 @@ std::string gradescope_json(const GradeResult& result) {
     Json json = {{"score", result.points},        {"execution_time", static_cast<int>(std::lround(result.seconds))},
                  {"output", summary(result)},     {"output_format", "text"},
                  {"test_output_format", "text"},  {"visibility", "visible"},
-                 {"stdout_visibility", "hidden"}, {"extra_data", {{"box", name_of(result.tier)}}},
+                 {"stdout_visibility", "hidden"}, {"extra_data", {{"box", box_of(result)}}},
                  {"tests", Json::array()}};
     int number = 0;
     for (const TestResult& test : result.tests) {
@@ -165,7 +165,7 @@ std::string junit_xml(const GradeResult& result) {
     };
     property("points", points_text(result.points));
     property("max_points", points_text(result.max_points));
-    property("box", name_of(result.tier));
+    property("box", box_of(result));
     property("diagnosis", first_line(result.diagnosis));
     xml += "    </properties>\n";
     for (const TestResult& test : result.tests) {
