@@ -43,14 +43,14 @@ bool check_picture(const fs::path& actual_file, const fs::path& golden_file, con
     }
     const raster::Image actual = scene::read_image(actual_file.string());
     const raster::Image golden = scene::read_image(golden_file.string());
-    const tests::ImageDifference difference = tests::compare_bytes(actual, golden);
+    const tools::Comparison difference = tests::compare_bytes(actual, golden);
     std::cout << name << ": " << describe(difference) << '\n';
-    if (difference.none()) return true;
+    if (difference.passed) return true;
     fs::create_directories(failures);
     const std::string stem = (failures / golden_file.stem()).string();
     fs::copy_file(golden_file, stem + ".expected.png", fs::copy_options::overwrite_existing);
     fs::copy_file(actual_file, stem + ".actual.png", fs::copy_options::overwrite_existing);
-    if (difference.same_size) {
+    if (difference.comparable) {
         scene::write_png(stem + ".difference.png", tests::amplified_difference(actual, golden));
     }
     std::cout << "  see " << stem << ".difference.png\n";

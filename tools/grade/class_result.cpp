@@ -50,6 +50,7 @@ std::string points_of_test(const GradeResult& result, const std::string& name) {
 }
 
 std::string bars_html(const Counts& counts, std::size_t all) {
+    if (counts.empty()) return "<p>None.</p>\n";
     std::size_t largest = 1;
     for (const auto& [name, count] : counts) largest = std::max(largest, count);
     std::string html = "<div class=\"bars\">\n";
@@ -93,7 +94,7 @@ std::string table_html(const std::vector<GradeResult>& results) {
         html += "<tr><td><a href=\"" + markup_text(link_of(result.submission)) + "/report.html\">" +
                 markup_text(result.submission) + "</a></td><td class=\"number\">" + points_text(result.points) + " / " +
                 points_text(result.max_points) + "</td><td>" + markup_text(first_line(why)) + "</td><td>" +
-                name_of(result.tier) + "</td></tr>\n";
+                box_of(result) + "</td></tr>\n";
     }
     return html + "</table></div>\n";
 }
@@ -145,7 +146,7 @@ std::string class_csv(const std::vector<GradeResult>& results) {
     for (const GradeResult& result : results) {
         csv += field(result.submission) + "," + points_text(result.points) + "," + points_text(result.max_points);
         for (const std::string& name : names) csv += "," + points_of_test(result, name);
-        csv += "," + field(first_line(result.diagnosis)) + "," + name_of(result.tier) + "," +
+        csv += "," + field(first_line(result.diagnosis)) + "," + box_of(result) + "," +
                field(first_line(result.error)) + "\r\n";
     }
     return csv;

@@ -8,6 +8,7 @@
 #include <thread>
 
 #include "scene/error.hpp"
+#include "tools/grade/assignment/rubric.hpp"
 #include "tools/grade/class_result.hpp"
 #include "tools/grade/grade_run.hpp"
 #include "tools/grade/parallel.hpp"
@@ -80,7 +81,6 @@ void write_failure(const GradeRun& one, const std::string& why) {
     GradeResult result;
     result.submission = one.folder.filename().string();
     result.error = "the grader broke off (" + why + "): " + last_line_of(one.out / "grader.txt");
-    if (one.options.tier) result.tier = *one.options.tier;
     write_file((one.out / "result.json").string(), result_json(result, kNoResult + why));
 }
 
@@ -122,6 +122,7 @@ ClassSummary grade_class(const GradeRun& wish) {
     run.rubric = fs::absolute(run.rubric);
     run.out = fs::absolute(run.out);
     for (fs::path& hidden : run.options.hidden) hidden = fs::absolute(hidden);
+    static_cast<void>(read_rubric(run.rubric));  // what is wrong with it is said once, not for each submission
     const std::vector<std::string> names = submissions_in(run.folder);
     make_folder(run.out.string());
     remove_stale_box_folders();
@@ -130,8 +131,7 @@ ClassSummary grade_class(const GradeRun& wish) {
     std::vector<ParallelJob> jobs;
     for (const std::string& name : names) {
         const GradeRun one = run_of(run, name);
-        const std::optional<StoredResult> stored = stored_result(one.out);
-        if (stored && stored->key == grade_key(one)) continue;
+        if (result_of_before(one)) continue;
         make_folder(one.out.string());
         std::error_code ignored;
         fs::remove(one.out / "result.json", ignored);

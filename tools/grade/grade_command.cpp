@@ -3,6 +3,7 @@
 #include <iomanip>
 #include <iostream>
 #include <memory>
+#include <optional>
 #include <sstream>
 #include <string>
 
@@ -38,7 +39,7 @@ Examples:
 struct CommandOptions {
     std::string folder, class_folder, rubric, out = "graded", formats = "all", box;
     std::vector<std::string> hidden;
-    bool unsafe = false;
+    bool unsafe = false, resume = false;
     int jobs = 0;
     int viva = 0;
 };
@@ -78,7 +79,7 @@ GradeRun run_of(const CommandOptions& options) {
 
 void print(const GradeResult& result, const GradeRun& run) {
     std::cout << result.assignment << ": " << points_text(result.points) << " of " << points_text(result.max_points)
-              << " points (box: " << name_of(result.tier) << ")\n";
+              << " points (box: " << box_of(result) << ")\n";
     if (!result.error.empty()) std::cout << plain_text(result.error) << "\n";
     for (const TestResult& test : result.tests) {
         std::cout << (test.passed ? "  passed  " : "  FAILED  ") << std::left << std::setw(30) << plain_text(test.name)
@@ -87,13 +88,14 @@ void print(const GradeResult& result, const GradeRun& run) {
         std::cout << "\n";
     }
     if (!result.diagnosis.empty()) std::cout << plain_text(result.diagnosis) << "\n";
-    std::cerr << "wrote " << (run.out / "report.html").string() << "\n";
+    std::cerr << "see " << (run.out / "report.html").string() << "\n";
 }
 
 void grade_command(const CommandOptions& options) {
     const GradeRun run = run_of(options);
     if (!options.folder.empty()) {
-        print(grade_one(run), run);
+        const std::optional<GradeResult> before = options.resume ? result_of_before(run) : std::nullopt;
+        print(before ? *before : grade_one(run), run);
         return;
     }
     const ClassSummary summary = grade_class(run);
@@ -127,6 +129,8 @@ void add_grade_command(CLI::App& app) {
     command->add_option("--box", options->box, "Use this box or none; otherwise the strongest that works here")
         ->check(CLI::IsMember({"bubblewrap", "landlock"}));
     command->add_flag("--unsafe", options->unsafe, "Where there is no box, run with limits alone");
+    command->add_flag("--resume", options->resume,
+                      "Keep a result in OUT that is of these very files (--class always does)");
     command->add_option("--jobs", options->jobs, "With --class: submissions at a time; default: one a core")
         ->check(CLI::Range(1, 1024));
     command

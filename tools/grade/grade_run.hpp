@@ -2,6 +2,7 @@
 #pragma once
 
 #include <filesystem>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -29,6 +30,9 @@ struct GradeRun {
 /// Write the reports and results of one submission; result.json, which says that all is there, comes last. Throws
 /// UserError.
 void write_results(const GradeRun& run, const GradeResult& result);
+
+/// The result in run.out, if it is one of this key.
+[[nodiscard]] std::optional<GradeResult> result_of_before(const GradeRun& run);
 
 /// Grade the submission and write; what it got.
 GradeResult grade_one(const GradeRun& run);

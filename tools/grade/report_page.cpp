@@ -118,8 +118,9 @@ std::string report_html(const GradeResult& result, Reader reader) {
         html += std::string("<details") + (failures == 0 ? " open" : "") + "><summary><h2 class=\"good\">" +
                 std::to_string(successes) + " passed</h2></summary>\n" + passed + "</details>\n";
     }
-    html += "<footer>The submission was compiled and run in the box \"" + name_of(result.tier) + "\", in " +
-            number_text(result.seconds) + " s.</footer>\n";
+    html += result.tier ? "<footer>The submission was compiled and run in the box \"" + box_of(result) + "\", in " +
+                              number_text(result.seconds) + " s.</footer>\n"
+                        : "<footer>Nothing of the submission was run.</footer>\n";
     return html + report_foot();
 }
 

@@ -11,7 +11,9 @@ header p { margin-bottom: .7rem; }
 .total { font-size: 1.5rem; color: var(--ink); font-variant-numeric: tabular-nums; }
 .total b { color: var(--accent); }
 .good { color: var(--good); } .bad { color: var(--bad); }
-.first { border-left: 5px solid var(--accent); padding: .2rem 1rem; white-space: pre-wrap; }
+header .first { border-left: 5px solid var(--accent); padding: .2rem 1rem; white-space: pre-wrap; max-width: none;
+               color: var(--ink); font-size: 1rem; }
+.first::first-line { font-weight: 600; }
 h2 { margin: 2.2rem 0 .8rem; }
 article h3 { display: flex; gap: .7rem; align-items: baseline; }
 article h3 .points { margin-left: auto; font-weight: 600; white-space: nowrap; }

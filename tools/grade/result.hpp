@@ -35,7 +35,7 @@ struct GradeResult {
     std::string submission;  ///< the folder's name
     double points = 0.0;     ///< the sum of the tests'
     double max_points = 0.0;
-    BoxTier tier = BoxTier::unsafe;
+    std::optional<BoxTier> tier;  ///< empty: nothing of it was run
     std::vector<TestResult> tests;
     std::string diagnosis;  ///< "looks exactly like: ..." or "unknown"; empty where everything passed
     std::string error;      ///< why nothing could be tested (it does not compile); empty otherwise
@@ -43,6 +43,11 @@ struct GradeResult {
     std::string viva;       ///< questions about this submission, as Markdown; empty unless they were asked for
     std::string viva_key;   ///< the same with the answers
 };
+
+/// The name of the box, or "none".
+[[nodiscard]] inline std::string box_of(const GradeResult& result) {
+    return result.tier ? name_of(*result.tier) : "none";
+}
 
 /// How the command line wants it graded.
 struct GradeOptions {

@@ -31,9 +31,11 @@ std::string limit_text(const Measurement& measurement) {
 /// The message, the measurements beside their limits, and the command that repeats it.
 std::string told(const TestResult& test) {
     if (test.hidden) return kHidden;
-    std::string text = plain_text(test.message);
-    for (const Measurement& measurement : test.measurements) text += "\n" + plain_text(limit_text(measurement));
-    if (!test.command.empty()) text += "\nAgain: " + plain_text(test.command);
+    std::string text;
+    const auto add = [&](const std::string& lines) { text += (text.empty() ? "" : "\n") + plain_text(lines); };
+    if (!test.message.empty()) add(test.message);
+    for (const Measurement& measurement : test.measurements) add(limit_text(measurement));
+    if (!test.command.empty()) add("Again: " + test.command);
     return text;
 }
 
@@ -58,7 +60,7 @@ std::string gradescope_json(const GradeResult& result) {
     Json json = {{"score", result.points},        {"execution_time", static_cast<int>(std::lround(result.seconds))},
                  {"output", summary(result)},     {"output_format", "text"},
                  {"test_output_format", "text"},  {"visibility", "visible"},
-                 {"stdout_visibility", "hidden"}, {"extra_data", {{"box", name_of(result.tier)}}},
+                 {"stdout_visibility", "hidden"}, {"extra_data", {{"box", box_of(result)}}},
                  {"tests", Json::array()}};
     int number = 0;
     for (const TestResult& test : result.tests) {
@@ -163,7 +165,7 @@ std::string junit_xml(const GradeResult& result) {
     };
     property("points", points_text(result.points));
     property("max_points", points_text(result.max_points));
-    property("box", name_of(result.tier));
+    property("box", box_of(result));
     property("diagnosis", first_line(result.diagnosis));
     xml += "    </properties>\n";
     for (const TestResult& test : result.tests) {

@@ -34,11 +34,11 @@ Json json_of(const TestResult& test) {
     return json;
 }
 
-BoxTier tier_named(const std::string& name) {
-    for (const BoxTier tier : {BoxTier::bubblewrap, BoxTier::landlock}) {
+std::optional<BoxTier> tier_named(const std::string& name) {
+    for (const BoxTier tier : {BoxTier::bubblewrap, BoxTier::landlock, BoxTier::unsafe}) {
         if (name_of(tier) == name) return tier;
     }
-    return BoxTier::unsafe;
+    return std::nullopt;
 }
 
 TestResult test_of(const Json& json) {
@@ -72,7 +72,7 @@ std::string result_json(const GradeResult& result, const std::string& key) {
                  {"submission", plain_text(result.submission)},
                  {"points", result.points},
                  {"max_points", result.max_points},
-                 {"box", name_of(result.tier)},
+                 {"box", box_of(result)},
                  {"seconds", result.seconds},
                  {"diagnosis", plain_text(result.diagnosis)},
                  {"error", plain_text(result.error)},

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <filesystem>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -38,7 +39,7 @@ struct Program {
     std::filesystem::path folder;  ///< its work folder, of the BoxFolder that was given
     std::filesystem::path file;    ///< the program; empty: `error`
     std::string error;
-    BoxTier tier = BoxTier::unsafe;
+    std::optional<BoxTier> tier;  ///< empty: nothing was run
 };
 
 /// Compile the student's file in the box. Reads nothing else of the submission.
