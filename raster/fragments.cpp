@@ -311,8 +311,7 @@ inline void interpolate_run(const BatchTask& task, const RunLanes& runs, int r, 
         fill_uv_steps(task.in.uv, runs.vertex[r], weights_of(runs, r), lanes_for(count), out, first);
 }
 
-KREDA_BATCH_LOOP void interpolate_all(const BatchTask& batch, const Run* runs, int run_count, Fragments& out) {
-    const BatchTask task = batch;
+KREDA_BATCH_LOOP void interpolate_all(BatchTask task, const Run* runs, int run_count, Fragments& out) {
     RunLanes prepared;
     int first = 0;
     for (int done = 0; done < run_count; done += kScreenLanes) {

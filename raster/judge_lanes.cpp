@@ -13,14 +13,11 @@ void fetch_corners(const ScreenVertex* screen, const std::uint32_t* index, int c
     }
 }
 
-KREDA_BATCH_LOOP bool judge_triangles(int count, CullMode cull, const Viewport& image, const TileGrid& tile_grid,
-                                      JudgeLanes& out) {
-    const Viewport viewport = image;
+KREDA_BATCH_LOOP bool judge_triangles(int count, CullMode cull, Viewport viewport, TileGrid grid, JudgeLanes& out) {
     const int lanes = lanes_for(count);
     for (int i = 0; i < lanes; ++i) out.set(i, judge(out.a.at(i), out.b.at(i), out.c.at(i), cull, viewport));
     // Neighbours often face away together.
     if (how_many(out.fate, count, Fate::drawn) == 0) return how_many(out.fate, count, Fate::needs_clip) > 0;
-    const TileGrid grid = tile_grid;
     for (int i = 0; i < lanes; ++i) {
         const Judgement judgement = out.at(i);
         out.fate[i] = static_cast<std::int32_t>(look_closer(out.a.at(i), out.b.at(i), out.c.at(i), judgement));

@@ -21,6 +21,10 @@
 /// Marks a batch loop: a function that runs one scalar formula over a whole batch. In `release` GCC compiles it once
 /// for SSE4.2, once for AVX2 and once for AVX-512, and the right one is picked when the program starts. A clone inlines
 /// what it calls, so nothing compiled for a newer machine leaks into the rest of the program.
+///
+/// Such a function takes small structs by value, and what it needs of a large one it copies before its loop: a copy of
+/// its own cannot be changed by what the loop writes. Of what it holds by reference the compiler must fear that, reads
+/// it again for every point, and gives up on vectors.
 #if defined(KREDA_BATCH_LOOP)
 // chosen by a check of the build, see tests/vectorized
 #elif defined(KREDA_MULTIVERSION)

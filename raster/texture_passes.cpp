@@ -17,36 +17,29 @@ struct Places {
 // `texels` and `out` are parameters of their own because only `__restrict` tells the compiler that what is written does
 // not change the texels; without it no loop is vectorized.
 
-KREDA_BATCH_LOOP void nearest_channel(const Places& places, int lanes, const TextureView& view,
-                                      const float* __restrict texels, int channel, float* __restrict out) {
-    const Places p = places;
+KREDA_BATCH_LOOP void nearest_channel(Places p, int lanes, const TextureView& view, const float* __restrict texels,
+                                      int channel, float* __restrict out) {
     TextureView t = view;
     t.texels = texels;
     for (int i = 0; i < lanes; ++i) out[i] = sample_nearest(t, p.u[i] * p.scale.x, p.v[i] * p.scale.y, channel);
 }
 
-KREDA_BATCH_LOOP void bilinear_channel(const Places& places, int lanes, const TextureView& view,
-                                       const float* __restrict texels, int channel, float* __restrict out) {
-    const Places p = places;
+KREDA_BATCH_LOOP void bilinear_channel(Places p, int lanes, const TextureView& view, const float* __restrict texels,
+                                       int channel, float* __restrict out) {
     TextureView t = view;
     t.texels = texels;
     for (int i = 0; i < lanes; ++i) out[i] = sample_bilinear(t, p.u[i] * p.scale.x, p.v[i] * p.scale.y, channel);
 }
 
-KREDA_BATCH_LOOP void trilinear_channel(const Places& places, int lanes, const TextureView& view,
-                                        const float* __restrict texels, int channel, float* __restrict out) {
-    const Places p = places;
+KREDA_BATCH_LOOP void trilinear_channel(Places p, int lanes, const TextureView& view, const float* __restrict texels,
+                                        int channel, float* __restrict out) {
     TextureView t = view;
     t.texels = texels;
     for (int i = 0; i < lanes; ++i)
         out[i] = sample_trilinear(t, p.u[i] * p.scale.x, p.v[i] * p.scale.y, p.level[i], channel);
 }
 
-KREDA_BATCH_LOOP void levels(const Fragments& f, int lanes, const glm::vec2& texture_scale, int width, int height,
-                             float* __restrict level) {
-    const glm::vec2 scale = texture_scale;
-    const int w = width;
-    const int h = height;
+KREDA_BATCH_LOOP void levels(const Fragments& f, int lanes, glm::vec2 scale, int w, int h, float* __restrict level) {
     for (int i = 0; i < lanes; ++i) {
         const glm::vec2 step_x(f.du_dx.at(i) * scale.x, f.dv_dx.at(i) * scale.y);
         const glm::vec2 step_y(f.du_dy.at(i) * scale.x, f.dv_dy.at(i) * scale.y);

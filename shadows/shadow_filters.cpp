@@ -15,11 +15,10 @@ using raster::lanes_for;
 
 /// The loop of locate_in_picture(). `perspective` is a parameter because GCC only vectorizes where it is a constant.
 inline void locate_lanes(const Channel3& position, const Channel3& normal, int lanes, const LightView& light_view,
-                         int size, const BiasTerms& terms, bool perspective, MapPoints& out) {
+                         int size, BiasTerms bias, bool perspective, MapPoints& out) {
     const glm::mat3 axes = light_view.view_from_world;
     const glm::vec3 origin = light_view.origin;
     const PictureScale scale = picture_scale(light_view, size);
-    const BiasTerms bias = terms;
     for (int i = 0; i < lanes; ++i) {
         const PointInView p = point_in_picture(axes, origin, position.at(i), normal.at(i));
         out.set(i,
@@ -39,12 +38,10 @@ KREDA_BATCH_LOOP void locate_in_picture(const Channel3& position, const Channel3
 }
 
 KREDA_BATCH_LOOP void locate_in_cube(const Channel3& position, const Channel3& normal, int lanes,
-                                     const LightView& light_view, int size, int stride_of_face, const BiasTerms& terms,
+                                     const LightView& light_view, int size, int face_stride, BiasTerms bias,
                                      MapPoints& out) {
     const glm::vec3 origin = light_view.origin;
     const PictureScale scale = picture_scale(light_view, size);
-    const BiasTerms bias = terms;
-    const int face_stride = stride_of_face;
     for (int i = 0; i < lanes; ++i) {
         const PointInView p = point_in_cube(origin, position.at(i), normal.at(i));
         out.set(i, map_point_perspective(p.q, p.n, scale, bias), p.face * face_stride);
@@ -60,8 +57,7 @@ struct Texels {
     alignas(64) int place[raster::kChannelSize];
 };
 
-KREDA_BATCH_LOOP void find_texels(const MapPoints& points, int lanes, const TexelGrid& texel_grid, Texels& texels) {
-    const TexelGrid grid = texel_grid;
+KREDA_BATCH_LOOP void find_texels(const MapPoints& points, int lanes, TexelGrid grid, Texels& texels) {
     for (int i = 0; i < lanes; ++i) {
         texels.place[i] = points.face_begin[i] + place_of_texel(points.u.at(i), points.v.at(i), grid);
     }
@@ -80,8 +76,7 @@ KREDA_BATCH_LOOP void add_tap(const MapPoints& points, const Texels& texels, int
     }
 }
 
-KREDA_BATCH_LOOP void scale(int lanes, float factor, Channel& channel) {
-    const float f = factor;
+KREDA_BATCH_LOOP void scale(int lanes, float f, Channel& channel) {
     for (int i = 0; i < lanes; ++i) channel.set(i, channel.at(i) * f);
 }
 

@@ -39,9 +39,8 @@ struct DistanceFromDepth {
 };
 
 /// One row of a tile: depth -> distance; where nothing was drawn, nothing casts.
-KREDA_BATCH_LOOP void write_row(const float* __restrict depth, int lanes, const DistanceFromDepth& from_depth,
+KREDA_BATCH_LOOP void write_row(const float* __restrict depth, int lanes, DistanceFromDepth convert,
                                 bool is_perspective, float* __restrict distance) {
-    const DistanceFromDepth convert = from_depth;
     if (is_perspective) {
         for (int i = 0; i < lanes; ++i) {
             const float found = convert.perspective(depth[i]);

@@ -57,8 +57,7 @@ inline int most_cells(const Windows& w, int lanes, float limit) {
 }
 
 /// A window as wide as the cone from the point to the light, at the distance of the nearest caster of all.
-KREDA_BATCH_LOOP void search_windows(const MapPoints& points, int lanes, const SoftSetup& setup, Windows& w) {
-    const SoftSetup s = setup;
+KREDA_BATCH_LOOP void search_windows(const MapPoints& points, int lanes, SoftSetup s, Windows& w) {
     for (int i = 0; i < lanes; ++i) {
         const float half = half_cone(s.light_half_width, points.distance.at(i), s.nearest, s.perspective);
         w.half_u.set(i, half * s.scale.texels_per_unit.x);
@@ -77,10 +76,9 @@ inline float cell_begin(float at, float cell, float offset) {
 // The map and the sums are parameters of their own: see add_tap() in shadow_filters.cpp.
 
 /// The loop of search_cell(). `perspective` is a parameter because GCC only vectorizes where it is a constant.
-inline void search_lanes(const MapPoints& points, int lanes, const float* __restrict distances, const SoftSetup& setup,
+inline void search_lanes(const MapPoints& points, int lanes, const float* __restrict distances, SoftSetup s,
                          bool perspective, const Windows& w, float column, float row, float* __restrict sum,
                          float* __restrict count) {
-    const SoftSetup s = setup;
     for (int i = 0; i < lanes; ++i) {
         const float u = cell_begin(points.u.at(i), w.cell_u.at(i), column) + 0.5f * w.cell_u.at(i);
         const float v = cell_begin(points.v.at(i), w.cell_v.at(i), row) + 0.5f * w.cell_v.at(i);
@@ -124,9 +122,8 @@ KREDA_BATCH_LOOP void mean_blocker(int lanes, const Channel& sum, const Channel&
 }
 
 /// A window as wide as the penumbra, at least one texel.
-KREDA_BATCH_LOOP void filter_windows(const MapPoints& points, int lanes, const SoftShadow& soft, const SoftSetup& setup,
+KREDA_BATCH_LOOP void filter_windows(const MapPoints& points, int lanes, const SoftShadow& soft, SoftSetup s,
                                      Windows& w) {
-    const SoftSetup s = setup;
     for (int i = 0; i < lanes; ++i) {
         const float half = half_cone(s.light_half_width, points.distance.at(i), soft.blocker.at(i), s.perspective);
         const float half_u = soft.blocked.at(i) * half * s.scale.texels_per_unit.x;
@@ -146,10 +143,9 @@ inline float overlap(float begin, float cell, float at, float half) {
 }
 
 /// Add cell (column, row) of the filter: its area within the window, and that area again where it is lit.
-KREDA_BATCH_LOOP void filter_cell(const MapPoints& points, int lanes, const float* __restrict distances,
-                                  const SoftSetup& setup, const Windows& w, float column, float row,
-                                  float* __restrict lit, float* __restrict area) {
-    const SoftSetup s = setup;
+KREDA_BATCH_LOOP void filter_cell(const MapPoints& points, int lanes, const float* __restrict distances, SoftSetup s,
+                                  const Windows& w, float column, float row, float* __restrict lit,
+                                  float* __restrict area) {
     for (int i = 0; i < lanes; ++i) {
         const float begin_u = cell_begin(points.u.at(i), w.cell_u.at(i), column);
         const float begin_v = cell_begin(points.v.at(i), w.cell_v.at(i), row);
@@ -172,9 +168,8 @@ KREDA_BATCH_LOOP void share_of_area(int lanes, const SoftShadow& soft, const Cha
     }
 }
 
-KREDA_BATCH_LOOP void widths_from_blockers(const MapPoints& points, int lanes, const SoftShadow& soft,
-                                           const SoftSetup& setup, Channel& blocker_distance, Channel& penumbra) {
-    const SoftSetup s = setup;
+KREDA_BATCH_LOOP void widths_from_blockers(const MapPoints& points, int lanes, const SoftShadow& soft, SoftSetup s,
+                                           Channel& blocker_distance, Channel& penumbra) {
     for (int i = 0; i < lanes; ++i) {
         const float receiver = points.distance.at(i);
         const float blocked = soft.blocked.at(i);

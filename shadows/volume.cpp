@@ -77,9 +77,8 @@ raster::DepthPlane plane_of(const ScreenTriangle& t) {
 }
 
 /// Rows of one face from y_first to y_last: count where it lies behind what is seen.
-KREDA_BATCH_LOOP void count_rows(const VolumeFace& face, const raster::DepthPlane& depth_plane, int y_first, int y_last,
-                                 int width, const float* __restrict depth, std::int32_t* __restrict count) {
-    const raster::DepthPlane plane = depth_plane;
+KREDA_BATCH_LOOP void count_rows(const VolumeFace& face, raster::DepthPlane plane, int y_first, int y_last, int width,
+                                 const float* __restrict depth, std::int32_t* __restrict count) {
     const bool is_entry = face.is_entry;
     const std::int32_t change = is_entry ? -face.weight : face.weight;
     for (int y = y_first; y <= y_last; ++y) {

@@ -36,9 +36,7 @@ void read_value(const Fragments& fragments, const Map& map, const MaterialMaps& 
 }
 
 /// F0 and alpha of the points' own albedo, metallic and roughness.
-KREDA_BATCH_LOOP void derive_surface(int lanes, bool has_index, const glm::vec3& f0_of_index, MicrofacetChannels& m) {
-    const bool keep = has_index;
-    const glm::vec3 f0 = f0_of_index;
+KREDA_BATCH_LOOP void derive_surface(int lanes, bool keep, glm::vec3 f0, MicrofacetChannels& m) {
     for (int i = 0; i < lanes; ++i) {
         const glm::vec3 from_albedo = base_reflectivity(m.albedo.at(i), m.metallic.at(i));
         m.f0.set(i, keep ? f0 : from_albedo);
@@ -46,8 +44,7 @@ KREDA_BATCH_LOOP void derive_surface(int lanes, bool has_index, const glm::vec3&
     }
 }
 
-KREDA_BATCH_LOOP void bend(const Fragments& f, int lanes, float green, LightingChannels& c) {
-    const float up = green;
+KREDA_BATCH_LOOP void bend(const Fragments& f, int lanes, float up, LightingChannels& c) {
     for (int i = 0; i < lanes; ++i) {
         const glm::vec3 stored = c.map_normal.at(i);
         const glm::vec3 m(stored.x, up * stored.y, stored.z);

@@ -73,9 +73,8 @@ struct ProjectionScratch {
     TapScratch taps;
 };
 
-KREDA_BATCH_LOOP void find_directions(int lanes, const RowOfTexels& row, float within_x, float within_y,
+KREDA_BATCH_LOOP void find_directions(int lanes, RowOfTexels r, float within_x, float within_y,
                                       const Placement& placement, ProjectionScratch& scratch) {
-    const RowOfTexels r = row;
     const float cos_rotation = placement.cos_rotation;
     const float sin_rotation = placement.sin_rotation;
     const float scale = 1.0f / static_cast<float>(r.size);

@@ -52,8 +52,7 @@ KREDA_BATCH_LOOP void clear(int lanes, Channel3& sum) {
     for (int i = 0; i < lanes; ++i) sum.set(i, glm::vec3(0.0f));  // not vectorized: GCC makes it calls of memset
 }
 
-KREDA_BATCH_LOOP void add(int lanes, float factor, const Channel3& from, Channel3& to) {
-    const float f = factor;
+KREDA_BATCH_LOOP void add(int lanes, float f, const Channel3& from, Channel3& to) {
     for (int i = 0; i < lanes; ++i) to.set(i, to.at(i) + from.at(i) * f);
 }
 
@@ -86,8 +85,7 @@ void sum_texels(const std::vector<std::vector<TexelLight>>& faces, int lanes, Ga
 }
 
 /// One direction in the frame of each normal.
-KREDA_BATCH_LOOP void turn_to_normals(int lanes, const glm::vec3& direction, const Channel3& n, Channel3& l) {
-    const glm::vec3 d = direction;
+KREDA_BATCH_LOOP void turn_to_normals(int lanes, glm::vec3 d, const Channel3& n, Channel3& l) {
     for (int i = 0; i < lanes; ++i) l.set(i, to_world(frame_around(n.at(i)), d));
 }
 
@@ -229,8 +227,7 @@ Sh9 sh9_of_light(const glm::vec3& l) {
     return sh;
 }
 
-KREDA_BATCH_LOOP void irradiance_of_sh9(const Sh9& coefficients, int lanes, const Channel3& n, Channel3& E) {
-    const Sh9 sh = coefficients;
+KREDA_BATCH_LOOP void irradiance_of_sh9(Sh9 sh, int lanes, const Channel3& n, Channel3& E) {
     for (int i = 0; i < lanes; ++i) E.set(i, irradiance_of_sh9(sh, n.at(i)));
 }
 
