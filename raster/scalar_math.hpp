@@ -38,14 +38,25 @@ inline float radians(float angle_deg) {
     return angle_deg * 0.01745329251994329577f;
 }
 
+/// The smaller of two numbers that are not negative   a < b ? a : b
+/// For speed it compares their bits: the exponent stands above the mantissa, so floats that are not negative have the
+/// order of their bits read as integers, and the smaller of two integers is one vector instruction where a choice
+/// between floats takes two. Infinity is the greatest number.
+inline float smaller_of_positive(float a, float b) {
+    const std::int32_t bits_a = std::bit_cast<std::int32_t>(a);
+    const std::int32_t bits_b = std::bit_cast<std::int32_t>(b);
+    return std::bit_cast<float>(bits_a < bits_b ? bits_a : bits_b);
+}
+
 /// x clamped to [0, 1]. NaN and -0 become +0: a spoiled pixel turns black instead of spoiling its neighbours.
-/// Floats that are not negative are in the same order as their bits, so the second clamp is the smaller of two
-/// integers: one vector instruction where a choice between floats takes two.
 inline float saturate(float x) {
-    constexpr std::int32_t kOneBits = 0x3f800000;
     const float at_least_0 = x > 0.0f ? x : 0.0f;
-    const std::int32_t bits = std::bit_cast<std::int32_t>(at_least_0);
-    return std::bit_cast<float>(bits < kOneBits ? bits : kOneBits);
+    return smaller_of_positive(at_least_0, 1.0f);  // at_least_0 < 1 ? at_least_0 : 1
+}
+
+/// From 0 to 1 without a kink at either end   3t^2 - 2t^3,   t in [0, 1]
+inline float smooth_ramp(float t) {
+    return t * t * (3.0f - 2.0f * t);
 }
 
 /// Linear interpolation   (1 - t) a + t b     Exact at both ends (the form a + t (b - a) may miss b).

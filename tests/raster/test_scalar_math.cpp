@@ -322,6 +322,27 @@ TEST_CASE("a batch loop gives the bits of single calls") {
 
 // ---------------------------------------------------------------------------------------------------- helpers
 
+TEST_CASE("The smaller of two positive numbers by their bits is the smaller by comparison") {
+    int wrong = 0;
+    for_every_257th_float([&](float x) {
+        if (!(x >= 0.0f) || bits_of(x) == bits_of(-0.0f)) return;
+        for (const float y : {0.0f, 1e-42f, 1e-20f, 0.99999994f, 1.0f, 3e38f, kInf}) {
+            wrong += bits_of(raster::smaller_of_positive(x, y)) != bits_of(x < y ? x : y);
+        }
+    });
+    CHECK(wrong == 0);
+}
+
+TEST_CASE("The smooth ramp goes from 0 to 1 through the middle and is flat at both ends") {
+    CHECK(raster::smooth_ramp(0.0f) == 0.0f);
+    CHECK(raster::smooth_ramp(0.25f) == 0.15625f);  // 3/16 - 2/64
+    CHECK(raster::smooth_ramp(0.5f) == 0.5f);
+    CHECK(raster::smooth_ramp(1.0f) == 1.0f);
+    const float h = 1e-3f;  // the slope 6t (1 - t) is 6h there: what is left over is 3h^2
+    CHECK(raster::smooth_ramp(h) < 3.1f * h * h);
+    CHECK(1.0f - raster::smooth_ramp(1.0f - h) < 3.1f * h * h);
+}
+
 TEST_CASE("saturate clamps to 0..1 and maps NaN to 0") {
     int wrong = 0;
     for_every_257th_float([&](float x) {
