@@ -3,13 +3,28 @@
 #include <cmath>
 
 #include <glm/ext/matrix_clip_space.hpp>
-#include <glm/ext/matrix_transform.hpp>
 #include <glm/geometric.hpp>
+#include <glm/matrix.hpp>
+#include <glm/trigonometric.hpp>
 
 namespace kreda::raster {
 
+ViewAxes view_axes(const glm::dvec3& forward, const glm::dvec3& up_hint) {
+    const glm::dvec3 right = glm::normalize(glm::cross(forward, up_hint));
+    return {right, glm::cross(right, forward), forward};
+}
+
+ViewAxes view_axes(const Camera& camera) {
+    return view_axes(glm::normalize(glm::dvec3(camera.target) - glm::dvec3(camera.position)), glm::dvec3(camera.up));
+}
+
 glm::mat4 view_from_world(const Camera& camera) {
-    return glm::mat4(glm::lookAtRH(glm::dvec3(camera.position), glm::dvec3(camera.target), glm::dvec3(camera.up)));
+    const ViewAxes axes = view_axes(camera);
+    const glm::dvec3 eye(camera.position);
+    const glm::dvec3 moved{-glm::dot(axes.right, eye), -glm::dot(axes.up, eye), glm::dot(axes.forward, eye)};
+    glm::dmat4 view_from_world(glm::transpose(glm::dmat3(axes.right, axes.up, -axes.forward)));
+    view_from_world[3] = glm::dvec4(moved, 1.0);
+    return glm::mat4(view_from_world);
 }
 
 glm::mat4 clip_from_view(const Camera& camera, float aspect) {
@@ -28,7 +43,7 @@ glm::mat4 clip_from_world(const Camera& camera, float aspect) {
 }
 
 glm::vec3 view_direction(const Camera& camera) {
-    return glm::vec3(glm::normalize(glm::dvec3(camera.target) - glm::dvec3(camera.position)));
+    return glm::vec3(view_axes(camera).forward);
 }
 
 }  // namespace kreda::raster

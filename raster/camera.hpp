@@ -20,6 +20,19 @@ struct Camera {
     float far = 100.0f;              ///< distance of the far plane, > near
 };
 
+/// Width over height of an image.
+inline float aspect_of(int width, int height) {
+    return static_cast<float>(width) / static_cast<float>(height);
+}
+
+/// The directions of whoever looks along `forward` (unit) with `up_hint` upwards, world space. All unit, at right
+/// angles.
+struct ViewAxes {
+    glm::dvec3 right, up, forward;
+};
+[[nodiscard]] ViewAxes view_axes(const glm::dvec3& forward, const glm::dvec3& up_hint);
+[[nodiscard]] ViewAxes view_axes(const Camera& camera);
+
 /// view_from_world: a rotation and a translation (gluLookAt).
 [[nodiscard]] glm::mat4 view_from_world(const Camera& camera);
 

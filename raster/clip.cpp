@@ -4,6 +4,7 @@
 
 #include <glm/geometric.hpp>
 
+#include "raster/convex_polygon.hpp"
 #include "raster/scalar_math.hpp"
 #include "raster/screen.hpp"
 
@@ -18,33 +19,17 @@ struct Corner {
     glm::dvec3 weights{0.0};
 };
 
-struct Polygon {
-    std::array<Corner, ClipPolygon::kMaxCorners> corner;
-    int count = 0;
-};
+using Polygon = ConvexPolygon<Corner, ClipPolygon::kMaxCorners>;
 
-/// Where the edge from `inside` to `outside` meets the plane with the given distances (d_in >= 0 > d_out).
-/// Always computed from the inner end: two triangles that share the edge get the same point, to the last bit.
-Corner intersect(const Corner& inside, double d_in, const Corner& outside, double d_out) {
-    const double t = d_in / (d_in - d_out);
+Corner corner_between(const Corner& inside, const Corner& outside, double t) {
     return {inside.position + t * (outside.position - inside.position),
             inside.weights + t * (outside.weights - inside.weights)};
 }
 
 /// Keep the part of a convex polygon where dot(plane, position) >= 0, or what that would cut off.
 Polygon clip_by_plane(const Polygon& in, const glm::dvec4& plane, bool keep_inside = true) {
-    Polygon out;
-    for (int i = 0; i < in.count; ++i) {
-        const Corner& here = in.corner[i];
-        const Corner& next = in.corner[(i + 1) % in.count];
-        const double d_here = glm::dot(plane, here.position);
-        const double d_next = glm::dot(plane, next.position);
-        if (out.count + 2 > ClipPolygon::kMaxCorners) break;
-        if ((d_here >= 0.0) == keep_inside) out.corner[out.count++] = here;
-        if (d_here >= 0.0 && d_next < 0.0) out.corner[out.count++] = intersect(here, d_here, next, d_next);
-        if (d_here < 0.0 && d_next >= 0.0) out.corner[out.count++] = intersect(next, d_next, here, d_here);
-    }
-    return out;
+    const auto distance = [&](const Corner& corner) { return glm::dot(plane, corner.position); };
+    return cut_polygon(in, distance, corner_between, keep_inside);
 }
 
 /// Round to float, then put right what rounding moved out of the view: the rest of the pipeline relies on it.

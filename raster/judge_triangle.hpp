@@ -66,8 +66,7 @@ inline Judgement judge(const ScreenPoint& a, const ScreenPoint& b, const ScreenP
 /// The edge from a to b at the sample centre (0, 0). Corners at most 5 samples away: 32 bits hold every product.
 inline SampleEdge near_edge(const ScreenPoint& a, const ScreenPoint& b) {
     const std::int32_t d_x = b.x - a.x, d_y = b.y - a.y;
-    const std::int32_t top_left = (d_y < 0) | ((d_y == 0) & (d_x > 0));
-    return {(d_y * a.x - d_x * a.y - 1 + top_left) >> kSubpixelBits, -d_y, d_x};
+    return {(d_y * a.x - d_x * a.y - least_inside(d_x, d_y)) >> kSubpixelBits, -d_y, d_x};
 }
 
 /// Does the clockwise triangle a, b, c cover a sample of the block that begins with the sample centre (0, 0)?

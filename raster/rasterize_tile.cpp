@@ -22,8 +22,8 @@ inline SampleEdge tile_edge(const ScreenVertex& a, const ScreenVertex& b, const 
     constexpr double kLimit = 1 << 30;
     const std::int32_t p_x = area.x * kSubpixels + kPixelCentre;
     const std::int32_t p_y = area.y * kSubpixels + kPixelCentre;
-    const double not_top_left = is_top_left(b.x - a.x, b.y - a.y) ? 0.0 : 1.0;
-    const double e = edge_function<double>(a.x, a.y, b.x, b.y, p_x, p_y) - not_top_left;
+    const double least = least_inside(b.x - a.x, b.y - a.y);
+    const double e = edge_function<double>(a.x, a.y, b.x, b.y, p_x, p_y) - least;
     const double start = std::floor(e * (1.0 / kSubpixels));
     const double not_below = start > -kLimit ? start : -kLimit;
     return {static_cast<std::int32_t>(not_below < kLimit ? not_below : kLimit), a.y - b.y, b.x - a.x};
@@ -143,8 +143,7 @@ inline void fetch_corners(const ScreenVertex* screen, const TriangleChunk& chunk
     }
 }
 
-inline void prepare_triangles(const TileArea& tile_area, int lanes, SetupLanes& setup) {
-    const TileArea area = tile_area;
+inline void prepare_triangles(TileArea area, int lanes, SetupLanes& setup) {
     for (int i = 0; i < lanes; ++i) {
         const TileTriangle triangle = tile_triangle(setup.a.at(i), setup.b.at(i), setup.c.at(i), area);
         setup.set(i, triangle, covered_samples(triangle));

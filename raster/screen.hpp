@@ -7,6 +7,7 @@
 #include <type_traits>
 
 #include <glm/vec2.hpp>
+#include <glm/vec3.hpp>
 #include <glm/vec4.hpp>
 
 #include "raster/scalar_math.hpp"
@@ -73,16 +74,23 @@ inline std::int32_t snap(float window) {
     return round_half_up_to_int(not_below < kLimit ? not_below : kLimit);
 }
 
-/// Perspective divide, viewport and snap: clip -> screen. Means something only inside_guard_band().
+/// Normalized device coordinates (x/w, y/w, z/w) -> window: x and y in samples, y down; z in [0, 1].
 ///   x_window = (x/w + 1) width/2     y_window = (1 - y/w) height/2     z_window = (z/w + 1)/2
-inline ScreenVertex to_screen(const glm::vec4& clip, const Viewport& viewport) {
-    const float inv_w = 1.0f / clip.w;
+inline glm::vec3 window_from_ndc(const glm::vec3& ndc, const Viewport& viewport) {
     const float half_width = 0.5f * static_cast<float>(viewport.width);
     const float half_height = 0.5f * static_cast<float>(viewport.height);
-    const float x_window = clip.x * inv_w * half_width + half_width;
-    const float y_window = half_height - clip.y * inv_w * half_height;
-    const float z_window = clip.z * inv_w * 0.5f + 0.5f;
-    return {snap(x_window), snap(y_window), z_window, inv_w};
+    const float x_window = ndc.x * half_width + half_width;
+    const float y_window = half_height - ndc.y * half_height;
+    const float z_window = ndc.z * 0.5f + 0.5f;
+    return {x_window, y_window, z_window};
+}
+
+/// Perspective divide, viewport and snap: clip -> screen. Means something only inside_guard_band().
+inline ScreenVertex to_screen(const glm::vec4& clip, const Viewport& viewport) {
+    const float inv_w = 1.0f / clip.w;
+    const glm::vec3 ndc{clip.x * inv_w, clip.y * inv_w, clip.z * inv_w};
+    const glm::vec3 window = window_from_ndc(ndc, viewport);
+    return {snap(window.x), snap(window.y), window.z, inv_w};
 }
 
 /// Twice the signed area of the triangle a, b, p:  E = (b_x - a_x)(p_y - a_y) - (b_y - a_y)(p_x - a_x).
@@ -98,8 +106,16 @@ inline Exact edge_function(std::type_identity_t<Exact> a_x, std::type_identity_t
 
 /// A pixel centre exactly on an edge belongs to the triangle only if the edge is a top edge (horizontal, the
 /// triangle below it) or a left edge. Edge direction b - a, triangle to the right of it, y down.
-inline bool is_top_left(std::int64_t d_x, std::int64_t d_y) {
-    return d_y < 0 || (d_y == 0 && d_x > 0);
+/// Without a branch, in the width of the caller's integers: batch loops ask it of many edges at once.
+template <class Integer>
+inline bool is_top_left(Integer d_x, Integer d_y) {
+    return (d_y < 0) | ((d_y == 0) & (d_x > 0));
+}
+
+/// The least E at which a sample counts as inside of an edge: 0 for a top or left edge, 1 for the others.
+template <class Integer>
+inline Integer least_inside(Integer d_x, Integer d_y) {
+    return Integer{1} - static_cast<Integer>(is_top_left(d_x, d_y));
 }
 
 /// Does the triangle a, b, c (clockwise, y down) cover the centre of sample (x, y)?
@@ -107,9 +123,9 @@ inline bool is_top_left(std::int64_t d_x, std::int64_t d_y) {
 inline bool covers_sample(const ScreenVertex& a, const ScreenVertex& b, const ScreenVertex& c, int x, int y) {
     const std::int64_t p_x = x * kSubpixels + kPixelCentre;
     const std::int64_t p_y = y * kSubpixels + kPixelCentre;
-    const std::int64_t least_ab = is_top_left(b.x - a.x, b.y - a.y) ? 0 : 1;
-    const std::int64_t least_bc = is_top_left(c.x - b.x, c.y - b.y) ? 0 : 1;
-    const std::int64_t least_ca = is_top_left(a.x - c.x, a.y - c.y) ? 0 : 1;
+    const std::int64_t least_ab = least_inside(b.x - a.x, b.y - a.y);
+    const std::int64_t least_bc = least_inside(c.x - b.x, c.y - b.y);
+    const std::int64_t least_ca = least_inside(a.x - c.x, a.y - c.y);
     const bool inside_ab = edge_function(a.x, a.y, b.x, b.y, p_x, p_y) >= least_ab;
     const bool inside_bc = edge_function(b.x, b.y, c.x, c.y, p_x, p_y) >= least_bc;
     const bool inside_ca = edge_function(c.x, c.y, a.x, a.y, p_x, p_y) >= least_ca;

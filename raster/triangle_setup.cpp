@@ -2,9 +2,8 @@
 
 #include <algorithm>
 
-#include <glm/matrix.hpp>
-
 #include "raster/clip.hpp"
+#include "raster/convex_polygon.hpp"
 #include "raster/judge_lanes.hpp"
 #include "raster/scalar_math.hpp"
 
@@ -34,11 +33,6 @@ struct Frame {
     CullMode cull;
     bool mirrored;  ///< the instance's transform turns counter-clockwise into clockwise
 };
-
-/// A mirroring transform has a negative scale.
-bool is_mirrored(const glm::mat4& world_from_object) {
-    return glm::determinant(glm::dmat3(world_from_object)) < 0.0;
-}
 
 /// A mirroring transform turns counter-clockwise into clockwise: what was the back is then the front.
 CullMode cull_mode_for(CullMode cull, bool mirrored) {
@@ -164,10 +158,10 @@ void draw_fan(const PendingClip& clip, const Frame& frame, const TileGrid& grid,
         append_vertex(clip.polygon.vertex[i], clip.triangle.vertex, frame.viewport, streams);
     const int apex = fan_apex(&streams.screen[first], count);
     list.make_room(static_cast<std::uint32_t>(count) + 1);
-    for (int i = 1; i + 1 < count; ++i) {
-        const auto corner = [&](int k) { return first + static_cast<std::uint32_t>((apex + k) % count); };
+    for_each_of_fan(apex, count, [&](int i, int j, int k) {
+        const auto corner = [&](int n) { return first + static_cast<std::uint32_t>(n); };
         ScreenTriangle piece = clip.triangle;
-        piece.vertex = {corner(0), corner(i), corner(i + 1)};
+        piece.vertex = {corner(i), corner(j), corner(k)};
         const ScreenPoint a = point_of(streams.screen[piece.vertex[0]]);
         const ScreenPoint b = point_of(streams.screen[piece.vertex[1]]);
         const ScreenPoint c = point_of(streams.screen[piece.vertex[2]]);
@@ -177,7 +171,7 @@ void draw_fan(const PendingClip& clip, const Frame& frame, const TileGrid& grid,
         count_fates(&number, 1, counts);
         append(piece, judgement.front, frame.mirrored, tiles_of(grid, judgement.x, judgement.y), fate == Fate::drawn,
                list);
-    }
+    });
     ++counts.clipped;
 }
 
@@ -271,14 +265,12 @@ void add(TriangleCounts& sum, const TriangleCounts& counts) {
 int fan_apex(const ScreenVertex* corner, int count) {
     for (int apex = 0; apex < count; ++apex) {
         bool any_left = false, any_right = false;
-        for (int i = 1; i + 1 < count; ++i) {
-            const ScreenVertex& a = corner[apex];
-            const ScreenVertex& b = corner[(apex + i) % count];
-            const ScreenVertex& c = corner[(apex + i + 1) % count];
+        for_each_of_fan(apex, count, [&](int i, int j, int k) {
+            const ScreenVertex &a = corner[i], &b = corner[j], &c = corner[k];
             const std::int64_t area = edge_function(a.x, a.y, b.x, b.y, c.x, c.y);
             any_left |= area < 0;
             any_right |= area > 0;
-        }
+        });
         if (!any_left || !any_right) return apex;
     }
     return 0;
@@ -288,7 +280,7 @@ TriangleCounts setup_triangles(const std::vector<MeshInstance>& instances, const
                                const Viewport& viewport, CullMode cull, int samples, VertexStreams& streams,
                                TriangleSet& set) {
     const auto frame_of = [&](const ChunkTask& task) {
-        const bool mirrored = is_mirrored(instances[task.instance].world_from_object);
+        const bool mirrored = is_mirrored(glm::mat3(instances[task.instance].world_from_object));
         return Frame{clip_from_world, viewport, cull_mode_for(cull, mirrored), mirrored};
     };
     const std::vector<ChunkTask> tasks = make_tasks(instances);

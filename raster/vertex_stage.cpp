@@ -13,11 +13,8 @@ namespace {
 constexpr int kVerticesPerTask = 8192;
 
 /// screen <- object for a run of vertices. What has no place on the screen is marked for the clipper.
-KREDA_BATCH_LOOP void project_vertices(const glm::vec3* __restrict position_object, int count,
-                                       const glm::mat4& clip_from_object, const Viewport& viewport,
-                                       ScreenVertex* __restrict screen) {
-    const glm::mat4 m = clip_from_object;
-    const Viewport view = viewport;
+KREDA_BATCH_LOOP void project_vertices(const glm::vec3* __restrict position_object, int count, glm::mat4 m,
+                                       Viewport view, ScreenVertex* __restrict screen) {
     const float guard_x = guard_band_ndc(view.width);
     const float guard_y = guard_band_ndc(view.height);
     for (int i = 0; i < count; ++i) {
@@ -32,25 +29,22 @@ KREDA_BATCH_LOOP void project_vertices(const glm::vec3* __restrict position_obje
 }
 
 /// world <- object for a run of positions (w stays 1).
-KREDA_BATCH_LOOP void transform_points(const glm::vec3* __restrict in, int count, const glm::mat4& world_from_object,
+KREDA_BATCH_LOOP void transform_points(const glm::vec3* __restrict in, int count, glm::mat4 m,
                                        glm::vec3* __restrict out) {
-    const glm::mat4 m = world_from_object;
     for (int i = 0; i < count; ++i) out[i] = glm::vec3(m * glm::vec4(in[i], 1.0f));
 }
 
 /// world <- object for a run of normals.
-KREDA_BATCH_LOOP void transform_normals(const glm::vec3* __restrict in, int count, const glm::mat3& matrix,
+KREDA_BATCH_LOOP void transform_normals(const glm::vec3* __restrict in, int count, glm::mat3 m,
                                         glm::vec3* __restrict out) {
-    const glm::mat3 m = matrix;
     for (int i = 0; i < count; ++i) out[i] = m * in[i];
 }
 
 /// world <- object for a run of tangents. They lie in the surface and move with its points; a mirror swaps the side of
 /// the bitangent.
-KREDA_BATCH_LOOP void transform_tangents(const glm::vec4* __restrict in, int count, const glm::mat3& matrix,
+KREDA_BATCH_LOOP void transform_tangents(const glm::vec4* __restrict in, int count, glm::mat3 m,
                                          glm::vec4* __restrict out) {
-    const glm::mat3 m = matrix;
-    const float side = glm::determinant(glm::dmat3(matrix)) < 0.0 ? -1.0f : 1.0f;
+    const float side = is_mirrored(m) ? -1.0f : 1.0f;
     for (int i = 0; i < count; ++i) out[i] = glm::vec4(m * glm::vec3(in[i]), side * in[i].w);
 }
 
@@ -92,6 +86,10 @@ std::uint32_t lay_out_vertices(std::vector<MeshInstance>& instances, const Verte
     streams.color_behind.resize(needs.color_behind ? count : 0);
     streams.fog.resize(needs.fog ? count : 0);
     return count;
+}
+
+bool is_mirrored(const glm::mat3& world_from_object) {
+    return glm::determinant(glm::dmat3(world_from_object)) < 0.0;
 }
 
 glm::mat3 normal_from_object(const glm::mat4& world_from_object) {

@@ -51,6 +51,9 @@ struct VertexStreams {
 /// Give every instance its place in the streams and size them. Returns the number of vertices.
 std::uint32_t lay_out_vertices(std::vector<MeshInstance>& instances, const VertexNeeds& needs, VertexStreams& streams);
 
+/// Does this transform mirror, so that counter-clockwise becomes clockwise? Its upper 3x3 has a negative determinant.
+[[nodiscard]] bool is_mirrored(const glm::mat3& world_from_object);
+
 /// The normal's matrix: inverse transpose of the upper 3x3, so that normals stay perpendicular under any scaling.
 [[nodiscard]] glm::mat3 normal_from_object(const glm::mat4& world_from_object);
 

@@ -98,7 +98,7 @@ Box box_of(const std::vector<glm::vec3>& points) {
 }
 
 std::vector<glm::vec3> seen_corners(const Box& box, const Scene& scene) {
-    const float aspect = static_cast<float>(scene.image.width) / static_cast<float>(scene.image.height);
+    const float aspect = raster::aspect_of(scene.image.width, scene.image.height);
     const glm::mat4 clip = raster::clip_from_world(scene.camera, aspect);
     std::vector<glm::vec3> points;
     add_seen_sides(box, clip, points);

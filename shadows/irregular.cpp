@@ -5,6 +5,7 @@
 
 #include <glm/common.hpp>
 
+#include "raster/convex_polygon.hpp"
 #include "shadows/bvh.hpp"
 
 namespace kreda::shadows {
@@ -17,30 +18,18 @@ constexpr double kCellMargin = 1e-6;
 /// Rows that one thread works through before it takes the next.
 constexpr int kRowsPerBand = 16;
 
-struct Polygon {
-    glm::dvec3 corner[8];
-    int count = 0;
-};
+using Polygon = raster::ConvexPolygon<glm::dvec3, 8>;
 
-/// The part of a convex polygon where dot(plane, corner) >= 0.                   Sutherland & Hodgman 1974
+/// The part of a convex polygon where dot(plane, corner) >= 0.
 Polygon clip(const Polygon& in, const glm::dvec3& plane) {
-    Polygon out;
-    for (int i = 0; i < in.count; ++i) {
-        const glm::dvec3& here = in.corner[i];
-        const glm::dvec3& next = in.corner[(i + 1) % in.count];
-        const double d_here = glm::dot(plane, here), d_next = glm::dot(plane, next);
-        if (out.count + 2 > 8) break;
-        if (d_here >= 0.0) out.corner[out.count++] = here;
-        if ((d_here >= 0.0) != (d_next >= 0.0)) {
-            out.corner[out.count++] = here + d_here / (d_here - d_next) * (next - here);
-        }
-    }
-    return out;
+    return cut_polygon(
+        in, [&](const glm::dvec3& corner) { return glm::dot(plane, corner); },
+        [](const glm::dvec3& inside, const glm::dvec3& outside, double t) { return inside + t * (outside - inside); });
 }
 
 /// What the grid sees of the triangle. Inside all four sides of the grid's box w cannot be negative.
 Polygon clip_to_grid(const LightGrid& grid, const glm::dvec3 (&q)[3]) {
-    Polygon polygon{{q[0], q[1], q[2]}, 3};
+    Polygon polygon{{{q[0], q[1], q[2]}}, 3};
     polygon = clip(polygon, {1.0, 0.0, -grid.low.x});
     polygon = clip(polygon, {-1.0, 0.0, grid.high.x});
     polygon = clip(polygon, {0.0, 1.0, -grid.low.y});

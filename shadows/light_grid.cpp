@@ -26,7 +26,7 @@ GridView view_along(const glm::dvec3& direction) {
 }
 
 /// Face 2 axis + (negative side) of the cube around a point.
-GridView cube_face(const glm::dvec3& centre, int face) {
+GridView view_of_face(const glm::dvec3& centre, int face) {
     glm::dvec3 rows[3] = {};
     rows[0][(face / 2 + 1) % 3] = 1.0;
     rows[1][(face / 2 + 2) % 3] = 1.0;
@@ -81,7 +81,7 @@ void sort_points(LightGrid& grid) {
 std::vector<GridView> grid_views(const ShadowLight& light) {
     if (light.kind == LightKind::directional) return {view_along(light.direction)};
     std::vector<GridView> views;
-    for (int face = 0; face < 6; ++face) views.push_back(cube_face(light.position, face));
+    for (int face = 0; face < 6; ++face) views.push_back(view_of_face(light.position, face));
     return views;
 }
 

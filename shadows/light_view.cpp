@@ -8,6 +8,8 @@
 #include <glm/matrix.hpp>
 #include <glm/trigonometric.hpp>
 
+#include "raster/camera.hpp"
+
 namespace kreda::shadows {
 
 namespace {
@@ -21,9 +23,8 @@ float with_margin(int size, int margin) {
 
 /// Rows right, up, backward of a camera that looks along `forward`.
 glm::mat3 rows(const glm::dvec3& forward, const glm::dvec3& up_hint) {
-    const glm::dvec3 right = glm::normalize(glm::cross(forward, up_hint));
-    const glm::dvec3 up = glm::cross(right, forward);
-    return glm::mat3(glm::transpose(glm::dmat3(right, up, -forward)));
+    const raster::ViewAxes axes = raster::view_axes(forward, up_hint);
+    return glm::mat3(glm::transpose(glm::dmat3(axes.right, axes.up, -axes.forward)));
 }
 
 LightView perspective_view(const glm::mat3& view_from_world, const glm::vec3& position, float tangent, float near,

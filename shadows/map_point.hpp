@@ -2,13 +2,13 @@
 // bias.
 #pragma once
 
-#include <cmath>
-
 #include <glm/geometric.hpp>
 #include <glm/mat3x3.hpp>
 #include <glm/vec2.hpp>
 #include <glm/vec3.hpp>
 
+#include "raster/cube_face.hpp"
+#include "raster/unit_vector.hpp"
 #include "shadows/light_view.hpp"
 
 namespace kreda::shadows {
@@ -39,12 +39,9 @@ inline float least_normal_offset(const glm::vec3& n_view, const glm::vec2& texel
     return 0.5f * (texel.x * x + texel.y * y);
 }
 
-/// v / |v|, or zero where there is no length to speak of: a triangle without area has no normal.
-inline glm::vec3 unit_or_zero(const glm::vec3& v) {
-    const float length2 = glm::dot(v, v);
-    const float inverse = 1.0f / std::sqrt(length2 > 1e-36f ? length2 : 1e-36f);
-    return v * inverse;
-}
+/// Squared length below which a normal counts as none: that of a triangle without area. It is far below
+/// raster::kLeastLength2, for the normal of a tiny triangle is as short as the triangle is small.
+inline constexpr float kLeastNormal2 = 1e-36f;
 
 /// Beyond this angle a surface is taken to be no steeper: the slope is the tangent, and it has no bound.
 inline constexpr float kLeastCosine = 0.01f;
@@ -181,33 +178,11 @@ inline MapPoint map_point_perspective(const glm::vec3& q, const glm::vec3& n_vie
     return map_steps_perspective(q, n_view, scale, bias).point;
 }
 
-/// A direction or position in the axes of the face of a cube that `toward` points through. The faces are those of
-/// cube_views(): +x -x +y -y +z -z.
-struct CubeFace {
-    int face = 0;
-    float sign = 1.0f;  ///< of the greatest coordinate
-};
-
-inline CubeFace cube_face(const glm::vec3& toward) {
-    const float x = toward.x < 0.0f ? -toward.x : toward.x;
-    const float y = toward.y < 0.0f ? -toward.y : toward.y;
-    const float z = toward.z < 0.0f ? -toward.z : toward.z;
-    const bool is_x = (x >= y) & (x >= z);
-    const bool is_y = !is_x & (y >= z);
-    const float greatest = is_x ? toward.x : (is_y ? toward.y : toward.z);
-    CubeFace found;
-    found.sign = greatest < 0.0f ? -1.0f : 1.0f;
-    found.face = (is_x ? 0 : (is_y ? 2 : 4)) + (greatest < 0.0f ? 1 : 0);
-    return found;
-}
-
-/// World axes -> right, up, backward of that face.
-inline glm::vec3 in_face_axes(const CubeFace& f, const glm::vec3& v) {
-    const bool is_x = f.face < 2;
-    const bool is_y = (f.face >= 2) & (f.face < 4);
-    const float right = is_x ? v.z : (is_y ? v.x : -v.x);
-    const float up = is_y ? v.z : v.y;
-    const float forward = is_x ? v.x : (is_y ? v.y : v.z);
+/// World axes -> right, up, backward of a face of the cube around the light (cube_views()).
+inline glm::vec3 in_face_axes(const raster::CubeFace& f, const glm::vec3& v) {
+    const float right = f.on_x() ? v.z : (f.on_y() ? v.x : -v.x);
+    const float up = f.on_y() ? v.z : v.y;
+    const float forward = f.on_x() ? v.x : (f.on_y() ? v.y : v.z);
     return {f.sign * right, up, -f.sign * forward};
 }
 
@@ -220,14 +195,14 @@ struct PointInView {
 /// axes: view_from_world of the one picture of a light; normal: any length.
 inline PointInView point_in_picture(const glm::mat3& axes, const glm::vec3& origin, const glm::vec3& position,
                                     const glm::vec3& normal) {
-    return {axes * (position - origin), axes * unit_or_zero(normal), 0};
+    return {axes * (position - origin), axes * raster::unit(normal, kLeastNormal2), 0};
 }
 
 /// In the one of the six pictures that the point lies in.
 inline PointInView point_in_cube(const glm::vec3& origin, const glm::vec3& position, const glm::vec3& normal) {
     const glm::vec3 from_light = position - origin;
-    const CubeFace face = cube_face(from_light);
-    return {in_face_axes(face, from_light), in_face_axes(face, unit_or_zero(normal)), face.face};
+    const raster::CubeFace face = raster::cube_face(from_light);
+    return {in_face_axes(face, from_light), in_face_axes(face, raster::unit(normal, kLeastNormal2)), face.face};
 }
 
 }  // namespace kreda::shadows

@@ -17,30 +17,19 @@ constexpr int kRowsPerBand = 16;
 /// An occluder's image may reach this many times as far as the occluder is high; farther away nothing is seen of it.
 constexpr double kFarthestImage = 0x1p20;
 
-/// The part of a convex polygon where dot(form, corner) >= 0.                        Sutherland & Hodgman 1974
-std::vector<glm::dvec4> clip(const std::vector<glm::dvec4>& in, const glm::dvec4& form) {
-    std::vector<glm::dvec4> out;
-    for (std::size_t i = 0; i < in.size(); ++i) {
-        const glm::dvec4& here = in[i];
-        const glm::dvec4& next = in[(i + 1) % in.size()];
-        const double d_here = glm::dot(form, here), d_next = glm::dot(form, next);
-        if (d_here >= 0.0) out.push_back(here);
-        if ((d_here >= 0.0) == (d_next >= 0.0)) continue;
-        // From the inner end: two triangles that share the edge get the same point.
-        const glm::dvec4& inner = d_here >= 0.0 ? here : next;
-        const glm::dvec4& outer = d_here >= 0.0 ? next : here;
-        const double d_in = std::max(d_here, d_next), d_out = std::min(d_here, d_next);
-        out.push_back(inner + d_in / (d_in - d_out) * (outer - inner));
-    }
-    return out;
+/// The part of a convex polygon where dot(form, corner) >= 0.
+OccluderPart clip(const OccluderPart& in, const glm::dvec4& form) {
+    return cut_polygon(
+        in, [&](const glm::dvec4& corner) { return glm::dot(form, corner); },
+        [](const glm::dvec4& inside, const glm::dvec4& outside, double t) { return inside + t * (outside - inside); });
 }
 
-void append_image(const std::vector<glm::dvec4>& polygon, const glm::dmat4& clip_from_occluder,
-                  const raster::Viewport& viewport, std::vector<ScreenTriangle>& triangles) {
-    const auto image = [&](std::size_t i) { return glm::vec4(clip_from_occluder * polygon[i]); };
-    for (std::size_t i = 1; i + 1 < polygon.size(); ++i) {
-        append_on_screen(image(0), image(i), image(i + 1), viewport, triangles);
-    }
+void append_image(const OccluderPart& polygon, const glm::dmat4& clip_from_occluder, const raster::Viewport& viewport,
+                  std::vector<ScreenTriangle>& triangles) {
+    const auto image = [&](int i) { return glm::vec4(clip_from_occluder * polygon.corner[i]); };
+    raster::for_each_of_fan(0, polygon.count, [&](int i, int j, int k) {
+        append_on_screen(image(i), image(j), image(k), viewport, triangles);
+    });
 }
 
 /// Mark every sample that some triangle covers.
@@ -93,12 +82,12 @@ std::optional<glm::dvec4> plane_of(const Occluder& occluder) {
     return glm::dvec4(normal, -0.5 * (low + high));
 }
 
-std::vector<glm::dvec4> between_plane_and_light(const glm::dvec4& plane, const glm::dvec4& light, const glm::vec3& a,
-                                                const glm::vec3& b, const glm::vec3& c) {
+OccluderPart between_plane_and_light(const glm::dvec4& plane, const glm::dvec4& light, const glm::vec3& a,
+                                     const glm::vec3& b, const glm::vec3& c) {
     const double size =
         std::max({largest_coordinate(a), largest_coordinate(b), largest_coordinate(c), std::abs(plane.w)});
     const glm::dvec4 above = plane - glm::dvec4(0.0, 0.0, 0.0, in_plane_height(size));
-    std::vector<glm::dvec4> polygon = {{glm::dvec3(a), 1.0}, {glm::dvec3(b), 1.0}, {glm::dvec3(c), 1.0}};
+    OccluderPart polygon{{{{glm::dvec3(a), 1.0}, {glm::dvec3(b), 1.0}, {glm::dvec3(c), 1.0}}}, 3};
     polygon = clip(polygon, above);
     if (light.w == 0.0) return polygon;
     const double light_height = glm::dot(plane, light) * (1.0 - 1.0 / kFarthestImage);

@@ -10,6 +10,7 @@
 #include <glm/matrix.hpp>
 #include <glm/vec4.hpp>
 
+#include "raster/convex_polygon.hpp"
 #include "shadows/shadow.hpp"
 
 namespace kreda::shadows {
@@ -28,10 +29,12 @@ inline glm::dmat4 planar_projection(const glm::dvec4& plane, const glm::dvec4& l
 /// flat, as far as float positions can tell.
 [[nodiscard]] std::optional<glm::dvec4> plane_of(const Occluder& occluder);
 
-/// The part of a triangle that can shadow the plane: above it and below the light. Homogeneous, convex, possibly empty.
-[[nodiscard]] std::vector<glm::dvec4> between_plane_and_light(const glm::dvec4& plane, const glm::dvec4& light,
-                                                              const glm::vec3& a, const glm::vec3& b,
-                                                              const glm::vec3& c);
+/// A convex part of a triangle, its corners homogeneous.
+using OccluderPart = raster::ConvexPolygon<glm::dvec4, 8>;
+
+/// The part of a triangle that can shadow the plane: above it and below the light; possibly empty.
+[[nodiscard]] OccluderPart between_plane_and_light(const glm::dvec4& plane, const glm::dvec4& light, const glm::vec3& a,
+                                                   const glm::vec3& b, const glm::vec3& c);
 
 /// How one light throws images onto one plane of one picture.
 struct PlanarSetup {

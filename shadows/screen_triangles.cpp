@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "raster/clip.hpp"
+#include "raster/convex_polygon.hpp"
 #include "raster/triangle_setup.hpp"
 
 namespace kreda::shadows {
@@ -34,16 +35,15 @@ void append_fan(const raster::ClipPolygon& polygon, const raster::Viewport& view
     for (int i = 0; i < polygon.count; ++i) corner[i] = to_screen(polygon.vertex[i].position, viewport);
     if (polygon.count < 3) return;
     const int apex = raster::fan_apex(corner.data(), polygon.count);
-    for (int i = 1; i + 1 < polygon.count; ++i) {
-        append({corner[apex], corner[(apex + i) % polygon.count], corner[(apex + i + 1) % polygon.count]}, viewport,
-               triangles);
-    }
+    raster::for_each_of_fan(apex, polygon.count, [&](int i, int j, int k) {
+        append({corner[i], corner[j], corner[k]}, viewport, triangles);
+    });
 }
 
 /// Narrow a span to the samples on the inner side of edge a b: E(x) = E(0) + x step must reach `least`.
 void narrow(const ScreenVertex& a, const ScreenVertex& b, int y, SampleSpan& span) {
     const std::int64_t p_y = std::int64_t{y} * raster::kSubpixels + raster::kPixelCentre;
-    const std::int64_t least = raster::is_top_left(b.x - a.x, b.y - a.y) ? 0 : 1;
+    const std::int64_t least = raster::least_inside(b.x - a.x, b.y - a.y);
     const std::int64_t lack = least - raster::edge_function(a.x, a.y, b.x, b.y, raster::kPixelCentre, p_y);
     const std::int64_t step = std::int64_t{a.y - b.y} * raster::kSubpixels;
     if (step > 0) span.first = static_cast<int>(std::max<std::int64_t>(span.first, -floor_division(-lack, step)));

@@ -1,6 +1,6 @@
 // 12_camera: one corner of a cube on its way to the screen: object, world, view, clip, normalized device, window.
 // Page docs/12_camera.md | After 10_triangle | New: Camera, view_from_world(), clip_from_view(), to_screen()
-// Break at: to_screen | Look at: clip, inv_w, x_window | Try: vertical_fov_deg 20 and 90, projection orthographic
+// Break at: to_screen | Look at: clip, ndc, window | Try: vertical_fov_deg 20 and 90, projection orthographic
 #include <array>
 #include <cstdio>
 #include <string>
@@ -58,7 +58,7 @@ void draw_axis(Image& image, const glm::mat4& clip_from_space, glm::vec3 directi
 Image draw_space(glm::ivec2 size, const char* name, const glm::mat4& space_from_world, const raster::Camera& observer,
                  const glm::vec3* eye, float handedness) {
     const glm::mat4 mirror = glm::scale(glm::mat4(1.0f), {1.0f, 1.0f, handedness});
-    const glm::mat4 clip_from_space = clip_from_world(observer, float(size.x) / float(size.y)) * mirror;
+    const glm::mat4 clip_from_space = clip_from_world(observer, raster::aspect_of(size.x, size.y)) * mirror;
     const glm::mat4 world_from_clip = glm::inverse(clip_from_world(kCamera, 16.0f / 9.0f));
     const float line = 0.008f * float(size.y);
     Image image = make_board(size.x, size.y);

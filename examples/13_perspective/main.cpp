@@ -30,7 +30,7 @@ Image draw_floor(glm::ivec2 size, int detail, AttributeInterpolation interpolati
     raster::MeshInstance instance;
     instance.mesh = &floor;
     instance.part_material = {0};
-    const glm::mat4 clip_from_world = raster::clip_from_world(kCamera, float(size.x) / float(size.y));
+    const glm::mat4 clip_from_world = raster::clip_from_world(kCamera, raster::aspect_of(size.x, size.y));
     const Frame frame = make_frame({instance}, clip_from_world, {size.x, size.y}, {.uv = true});
 
     Image image = make_board(size.x, size.y);

@@ -59,7 +59,7 @@ raster::ClipPolygon clip_road(const glm::mat4& clip_from_world) {
 Image draw_from_outside(glm::ivec2 size) {
     const raster::Camera observer{
         .position = {-5.5f, 3.4f, 4.2f}, .target = {0.1f, 0.0f, 0.2f}, .vertical_fov_deg = 32.0f};
-    const glm::mat4 from_world = clip_from_world(observer, float(size.x) / float(size.y));
+    const glm::mat4 from_world = clip_from_world(observer, raster::aspect_of(size.x, size.y));
     const glm::mat4 clip = clip_from_world(kCamera, 16.0f / 9.0f);
     Image image = make_board(size.x, size.y);
     Corners road;
@@ -80,7 +80,7 @@ Image draw_from_outside(glm::ivec2 size) {
 
 /// What the camera sees of the clipped road, and what dividing by a negative w makes of it.
 Image draw_from_camera(glm::ivec2 size, bool clipped) {
-    const glm::mat4 clip = clip_from_world(kCamera, float(size.x) / float(size.y));
+    const glm::mat4 clip = clip_from_world(kCamera, raster::aspect_of(size.x, size.y));
     Image image = make_board(size.x, size.y);
     if (clipped) {
         draw_polygon(image, clip_road(clip), glm::mat4(1.0f), 0.5f * kBlue);

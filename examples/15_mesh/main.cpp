@@ -27,7 +27,7 @@ Frame frame_of(const raster::Mesh& mesh, const glm::mat4& world_from_object, glm
     instance.mesh = &mesh;
     instance.world_from_object = world_from_object;
     instance.part_material.assign(mesh.parts.size(), 0);
-    const glm::mat4 clip = raster::clip_from_world(kCamera, float(size.x) / float(size.y));
+    const glm::mat4 clip = raster::clip_from_world(kCamera, raster::aspect_of(size.x, size.y));
     return make_frame({instance}, clip, {size.x, size.y}, {.normal_world = true});
 }
 

@@ -53,13 +53,15 @@ std::vector<shadows::ScreenTriangle> flatten(const Stage& stage, bool clipped) {
     const glm::dmat4 clip_from_world(stage.visible.clip_from_world);
     std::vector<shadows::ScreenTriangle> images;
     for (const shadows::Triangle& t : stage.casting) {
-        std::vector<glm::dvec4> polygon = {{glm::dvec3(t.a), 1.0}, {glm::dvec3(t.b), 1.0}, {glm::dvec3(t.c), 1.0}};
+        shadows::OccluderPart polygon{{{{t.a, 1.0}, {t.b, 1.0}, {t.c, 1.0}}}, 3};
         if (clipped) polygon = shadows::between_plane_and_light(stage.plane, stage.light, t.a, t.b, t.c);
-        for (glm::dvec4& q : polygon) q = clip_from_world * (clipped ? M * q : M * q / (M * q).w);
-        for (std::size_t i = 1; i + 1 < polygon.size(); ++i) {
-            append_on_screen(glm::vec4(polygon[0]), glm::vec4(polygon[i]), glm::vec4(polygon[i + 1]),
-                             stage.visible.viewport, images);
-        }
+        const auto image = [&](int i) {
+            const glm::dvec4 q = M * polygon.corner[i];
+            return glm::vec4(clip_from_world * (clipped ? q : q / q.w));
+        };
+        raster::for_each_of_fan(0, polygon.count, [&](int i, int j, int k) {
+            append_on_screen(image(i), image(j), image(k), stage.visible.viewport, images);
+        });
     }
     return images;
 }

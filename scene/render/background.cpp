@@ -29,15 +29,13 @@ KREDA_BATCH_LOOP void aim(const ViewRays& rays, int first_x, int y, int lanes, i
 }  // namespace
 
 ViewRays view_rays(const raster::Camera& camera, const raster::Viewport& viewport) {
-    const glm::dvec3 forward = glm::normalize(glm::dvec3(camera.target) - glm::dvec3(camera.position));
-    if (camera.projection == raster::Projection::orthographic) return {glm::vec3(forward), {}, {}};
-    const glm::dvec3 right = glm::normalize(glm::cross(forward, glm::dvec3(camera.up)));
-    const glm::dvec3 up = glm::cross(right, forward);
+    const raster::ViewAxes axes = view_axes(camera);
+    if (camera.projection == raster::Projection::orthographic) return {glm::vec3(axes.forward), {}, {}};
     const double half_height = std::tan(0.5 * glm::radians(double{camera.vertical_fov_deg}));
-    const double half_width = half_height * viewport.width / viewport.height;
-    return {glm::vec3(forward - half_width * right + half_height * up),
-            glm::vec3(right * (2.0 * half_width / viewport.width)),
-            glm::vec3(up * (-2.0 * half_height / viewport.height))};
+    const double half_width = half_height * viewport.width / viewport.height;  // in double: aspect_of() rounds to float
+    return {glm::vec3(axes.forward - half_width * axes.right + half_height * axes.up),
+            glm::vec3(axes.right * (2.0 * half_width / viewport.width)),
+            glm::vec3(axes.up * (-2.0 * half_height / viewport.height))};
 }
 
 void look_past_tile(const ViewRays& rays, const lighting::EnvironmentSetup& setup, const raster::TileArea& area,

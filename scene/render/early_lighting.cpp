@@ -4,7 +4,6 @@
 #include <array>
 
 #include <glm/geometric.hpp>
-#include <glm/matrix.hpp>
 
 #include "scene/render/render.hpp"
 #include "scene/render/shade.hpp"
@@ -125,7 +124,7 @@ void set_vertex_points(const Frame& frame, std::uint32_t first, int count, bool 
 }
 
 float orientation_of(const glm::mat4& world_from_object) {
-    return glm::determinant(glm::dmat3(world_from_object)) < 0.0 ? -1.0f : 1.0f;
+    return raster::is_mirrored(glm::mat3(world_from_object)) ? -1.0f : 1.0f;
 }
 
 void set_flat_point(const RenderBuffers& buffers, const raster::TriangleChunk& chunk,

@@ -65,7 +65,7 @@ Occluders find_occluders(const Frame& frame, const std::vector<int>& objects) {
         const glm::vec3* positions = frame.buffers.streams.position_world.data() + instance.first_vertex;
         occluders.list.push_back({{positions, instance.mesh->positions.size()},
                                   has_hidden_parts(instance) ? occluders.indices[i] : instance.mesh->indices,
-                                  glm::determinant(glm::dmat3(instance.world_from_object)) < 0.0});
+                                  raster::is_mirrored(glm::mat3(instance.world_from_object))});
     }
     return occluders;
 }

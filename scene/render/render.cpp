@@ -193,8 +193,8 @@ RenderStatistics render(const Scene& scene, const RenderPlan& plan, RenderBuffer
     Stopwatch watch;
     const auto lap = [&](const char* stage) { statistics.times.stages.emplace_back(stage, watch.lap_ms()); };
 
-    const glm::mat4 clip_from_world = raster::clip_from_world(
-        scene.camera, static_cast<float>(scene.image.width) / static_cast<float>(scene.image.height));
+    const float aspect = raster::aspect_of(scene.image.width, scene.image.height);
+    const glm::mat4 clip_from_world = raster::clip_from_world(scene.camera, aspect);
     const std::vector<lighting::LightSetup> lights = make_lights(scene);
     const lighting::LightingSetup lighting = make_lighting(scene, plan, buffers, lights);
     buffers.instances = make_instances(scene);

@@ -154,3 +154,13 @@ TEST_CASE("Top-left: of an edge and the same edge turned exactly one is top or l
     CHECK_FALSE(is_top_left(-1, 0));
     CHECK_FALSE(is_top_left(0, 1));
 }
+
+TEST_CASE("Top-left: the least E that is inside is 0 or 1 in every width of integers") {
+    for (int x = -3; x <= 3; ++x) {
+        for (int y = -3; y <= 3; ++y) {
+            const int least = y < 0 || (y == 0 && x > 0) ? 0 : 1;
+            CHECK(least_inside(x, y) == least);
+            CHECK(least_inside(std::int64_t{x} << 40, std::int64_t{y} << 40) == least);
+        }
+    }
+}

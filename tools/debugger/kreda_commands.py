@@ -241,7 +241,7 @@ def print_channels(batch, lane, prefix):
 STAGES = [
     ("kreda::scene::make_plan", "what the scene requires", "scene"),
     ("kreda::raster::transform_vertices", "vertices: object -> world -> clip -> screen", "streams"),
-    ("kreda::raster::to_screen", "one vertex: divide by w, viewport, snap to 1/256", "clip, inv_w, x_window"),
+    ("kreda::raster::to_screen", "one vertex: divide by w, viewport, snap to 1/256", "clip, inv_w, ndc, window"),
     ("prepare_shadows", "draw the lights' shadow maps, or build their tree", "frame.plan.shadows"),
     ("kreda::raster::setup_triangles", "cull, clip, sort into tiles", "set"),
     ("kreda::raster::clip_triangle", "cut at the near plane and the guard band", "polygon.count"),

@@ -102,7 +102,7 @@ void explain_spaces(const SampleFacts& sample, const SourceTriangle& source, Der
     if (!about.empty()) section.say(about);
     put_matrix("world_from_object", instance.world_from_object, section);
     put_matrix("view_from_world", view_from_world(frame.scene.camera), section);
-    const float aspect = static_cast<float>(frame.scene.image.width) / static_cast<float>(frame.scene.image.height);
+    const float aspect = raster::aspect_of(frame.scene.image.width, frame.scene.image.height);
     put_matrix("clip_from_view", clip_from_view(frame.scene.camera, aspect), section);
     std::array<VertexSpaces, 3> corner;
     for (std::size_t i = 0; i < 3; ++i) {

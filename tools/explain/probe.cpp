@@ -23,12 +23,9 @@ std::array<const ScreenVertex*, 3> corners_of(const VertexStreams& streams, cons
             &streams.screen[triangle.vertex[2]]};
 }
 
-float aspect_of(const scene::Scene& scene) {
-    return static_cast<float>(scene.image.width) / static_cast<float>(scene.image.height);
-}
-
 glm::mat4 clip_from_object(const scene::Scene& scene, const raster::MeshInstance& instance) {
-    return clip_from_world(scene.camera, aspect_of(scene)) * instance.world_from_object;
+    return clip_from_world(scene.camera, raster::aspect_of(scene.image.width, scene.image.height)) *
+           instance.world_from_object;
 }
 
 float depth_over(const std::array<const ScreenVertex*, 3>& v, int x, int y) {
@@ -84,7 +81,7 @@ void find_absent(const scene::RenderPlan& plan, const scene::RenderBuffers& buff
     const raster::MeshInstance& instance = buffers.instances[source.object];
     const raster::MeshPart& part = instance.mesh->parts[source.part];
     const bool hidden = !instance.part_hidden.empty() && instance.part_hidden[source.part];
-    const bool mirrored = glm::determinant(glm::dmat3(instance.world_from_object)) < 0.0;
+    const bool mirrored = raster::is_mirrored(glm::mat3(instance.world_from_object));
     for (std::uint32_t t = part.first_triangle; t < part.first_triangle + part.triangle_count; ++t) {
         std::array<glm::dvec4, 3> clip;
         for (std::size_t i = 0; i < 3; ++i) {
@@ -186,9 +183,8 @@ VertexSpaces vertex_spaces(const scene::Scene& scene, const scene::RenderPlan& p
     v.clip = clip_from_object(scene, instance) * glm::vec4(v.object, 1.0f);
     v.inside = raster::inside_guard_band(v.clip, raster::guard_band_ndc(plan.viewport.width),
                                          raster::guard_band_ndc(plan.viewport.height));
-    const glm::vec2 half = 0.5f * glm::vec2(plan.viewport.width, plan.viewport.height);
     v.ndc = glm::vec3(v.clip) * (1.0f / v.clip.w);
-    v.window = {v.ndc.x * half.x + half.x, half.y - v.ndc.y * half.y, v.ndc.z * 0.5f + 0.5f};
+    v.window = raster::window_from_ndc(v.ndc, plan.viewport);
     v.screen = to_screen(v.clip, plan.viewport);
     return v;
 }
