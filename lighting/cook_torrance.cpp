@@ -129,30 +129,25 @@ glm::vec3 compensation_term(const CookTorranceSetup& setup, const MicrofacetSurf
     const float E_v = directional_albedo(setup.energy, n_dot_v, surface.roughness);
     const float E_avg = average_albedo(setup.energy, surface.roughness);
     const float f_ms = multiple_scattering(E_l, E_v, E_avg);
-    glm::vec3 F_ms;
-    for (int channel = 0; channel < 3; ++channel) {
-        const float F_avg = average_schlick(surface.f0[channel]) + setup.f_avg_shift[channel];
-        F_ms[channel] = multiple_scattering_color(F_avg, E_avg);
-    }
+    const glm::vec3 F_ms = multiple_scattering_color(surface.f0, setup.f_avg_shift, E_avg);
     return F_ms * (f_ms * n_dot_l);
 }
 
-ReflectedTerms cook_torrance(const glm::vec3& n, const glm::vec3& l, const glm::vec3& v, const CookTorranceSetup& setup,
+ReflectedTerms cook_torrance(const glm::vec3& n, const glm::vec3& l, const glm::vec3& v, const CookTorranceSetup& m,
                              const MicrofacetSurface& surface) {
     const MicrofacetAngles angles = microfacet_angles(n, l, v);
-    const float D = distribution_term(setup.distribution, angles, surface.alpha);
-    const float V = visibility_term(setup.geometry, angles, surface.alpha, surface.roughness);
-    const glm::vec3 F = fresnel_term(setup, angles.v_dot_h, surface.f0);
+    const float D = distribution_term(m.distribution, angles, surface.alpha);
+    const float V = visibility_term(m.geometry, angles, surface.alpha, surface.roughness);
+    const glm::vec3 F = fresnel_term(m, angles.v_dot_h, surface.f0);
     ReflectedTerms terms = combine_terms(angles.n_dot_l, D, V, F, surface.albedo, surface.metallic);
-    if (setup.energy_compensation == EnergyCompensation::kulla_conty) {
-        terms.specular += compensation_term(setup, surface, angles.n_dot_l, angles.n_dot_v);
+    if (m.energy_compensation == EnergyCompensation::kulla_conty) {
+        terms.specular += compensation_term(m, surface, angles.n_dot_l, angles.n_dot_v);
     }
     return terms;
 }
 
-ReflectedTerms cook_torrance(const glm::vec3& n, const glm::vec3& l, const glm::vec3& v,
-                             const CookTorranceSetup& setup) {
-    return cook_torrance(n, l, v, setup, setup.surface);
+ReflectedTerms cook_torrance(const glm::vec3& n, const glm::vec3& l, const glm::vec3& v, const CookTorranceSetup& m) {
+    return cook_torrance(n, l, v, m, m.surface);
 }
 
 }  // namespace kreda::lighting

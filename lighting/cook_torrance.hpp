@@ -99,11 +99,12 @@ inline ReflectedTerms combine_terms(float n_dot_l, float D, float V, const glm::
 [[nodiscard]] glm::vec3 compensation_term(const CookTorranceSetup& setup, const MicrofacetSurface& surface,
                                           float n_dot_l, float n_dot_v);
 
-/// The model of one light at one point. n, l, v unit. A light behind the surface adds nothing; a viewer behind it (the
-/// interpolated normal of a silhouette) counts as n.v = 0.
+/// The model of one light at one point. n, l, v unit; m: the material's constants; surface: what may vary from point to
+/// point. A light behind the surface adds nothing; a viewer behind it (the interpolated normal of a silhouette) counts
+/// as n.v = 0.
 [[nodiscard]] ReflectedTerms cook_torrance(const glm::vec3& n, const glm::vec3& l, const glm::vec3& v,
-                                           const CookTorranceSetup& setup, const MicrofacetSurface& surface);
+                                           const CookTorranceSetup& m, const MicrofacetSurface& surface);
 [[nodiscard]] ReflectedTerms cook_torrance(const glm::vec3& n, const glm::vec3& l, const glm::vec3& v,
-                                           const CookTorranceSetup& setup);
+                                           const CookTorranceSetup& m);
 
 }  // namespace kreda::lighting

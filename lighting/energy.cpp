@@ -5,6 +5,7 @@
 #include <glm/geometric.hpp>
 
 #include "lighting/cook_torrance.hpp"
+#include "lighting/importance.hpp"
 
 namespace kreda::lighting {
 
@@ -15,18 +16,11 @@ constexpr int kHeights = 32;
 
 using glm::dvec3;
 
-/// A facet normal that GGX of this alpha shows to v, spread evenly over what v sees, for u in [0, 1]^2.
-/// Dupuy & Benyoub 2023: stretch v, take a point of the spherical cap around it, squeeze back.
-dvec3 visible_facet(const dvec3& v, double alpha, double cos_phi, double sin_phi, double u) {
-    const dvec3 s = glm::normalize(dvec3(alpha * v.x, alpha * v.y, v.z));
-    const double z = (1.0 - u) * (1.0 + s.z) - s.z;
-    const double radius = std::sqrt((1.0 - z) * (1.0 + z));
-    const dvec3 m{alpha * (radius * cos_phi + s.x), alpha * (radius * sin_phi + s.y), z + s.z};
-    return glm::normalize(m);
-}
-
 /// E(mu) = mean of f (n.l) / p over facets m spread by visible_facet, l = v mirrored in m.   With GGX and Smith's G_1:
 ///   f (n.l) / p = (D / D_GGX) 4 (n.l)(n.v) V / G_1(v)
+/// The BRDF map (lighting/environment/brdf_map.cpp) is the same mean: by another set of facets, in float and in lanes,
+/// for what an image lights (LitBy), and split by F's power. This one is in double and costs a hundredth; a material
+/// that asks for energy_compensation under lamps alone needs no map. To make them one would change the bits of either.
 double albedo(Distribution distribution, Geometry geometry, double mu, float roughness,
               const std::array<double, kAzimuths>& cosines, const std::array<double, kAzimuths>& sines) {
     const float alpha = alpha_from_roughness(roughness);
@@ -37,7 +31,7 @@ double albedo(Distribution distribution, Geometry geometry, double mu, float rou
         const double w = (j + 0.5) / kHeights;
         const double weight = 2.0 * w;  // u = 1 - w^2: more points where u nears 1 and the facets are steep
         for (int i = 0; i < kAzimuths; ++i) {
-            const dvec3 m = visible_facet(v, alpha, cosines[i], sines[i], 1.0 - w * w);
+            const dvec3 m = visible_facet<double>(v, alpha, cosines[i], sines[i], 1.0 - w * w);
             const double v_dot_m = glm::dot(v, m);
             const double n_dot_l = 2.0 * v_dot_m * m.z - v.z;
             if (n_dot_l <= 0.0) continue;

@@ -79,4 +79,11 @@ inline float average_f82(float f0, float b) {
     return average_schlick(f0) - b * (1.0f / 126.0f);
 }
 
+/// F_ms of the three channels. f_avg_shift: what the average of the chosen F exceeds that of Schlick's by.
+inline glm::vec3 multiple_scattering_color(const glm::vec3& f0, const glm::vec3& f_avg_shift, float E_avg) {
+    return {multiple_scattering_color(average_schlick(f0.x) + f_avg_shift.x, E_avg),
+            multiple_scattering_color(average_schlick(f0.y) + f_avg_shift.y, E_avg),
+            multiple_scattering_color(average_schlick(f0.z) + f_avg_shift.z, E_avg)};
+}
+
 }  // namespace kreda::lighting

@@ -9,9 +9,15 @@
 #include <glm/vec2.hpp>
 #include <glm/vec3.hpp>
 
+#include "lighting/reflection.hpp"
+#include "raster/orthonormal_frame.hpp"
 #include "raster/trigonometry.hpp"
 
 namespace kreda::lighting {
+
+using raster::frame_around;
+using raster::to_surface;
+using raster::to_world;
 
 /// The bits of i mirrored at the binary point, in [0, 1): 1 -> 1/2, 2 -> 1/4, 3 -> 3/4.               van der Corput
 /// 1935
@@ -30,26 +36,6 @@ inline glm::vec2 hammersley(int i, int n) {
     const float step = 1.0f / static_cast<float>(n);
     const float second = radical_inverse(static_cast<std::uint32_t>(i)) + 0.5f * step;
     return {(static_cast<float>(i) + 0.5f) * step, second < 1.0f ? second : 0.99999994f};
-}
-
-/// Two directions that make a right-handed frame with n, without a branch.                            Duff et al. 2017
-struct Frame {
-    glm::vec3 t, b, n;
-};
-
-inline Frame frame_around(const glm::vec3& n) {
-    const float sign = n.z < 0.0f ? -1.0f : 1.0f;
-    const float a = -1.0f / (sign + n.z);
-    const float b = n.x * n.y * a;
-    return {{1.0f + sign * n.x * n.x * a, sign * b, -sign * n.x}, {b, sign + n.y * n.y * a, -n.y}, n};
-}
-
-inline glm::vec3 to_world(const Frame& frame, const glm::vec3& d) {
-    return frame.t * d.x + frame.b * d.y + frame.n * d.z;
-}
-
-inline glm::vec3 to_surface(const Frame& frame, const glm::vec3& d) {
-    return {glm::dot(frame.t, d), glm::dot(frame.b, d), glm::dot(frame.n, d)};
 }
 
 /// The direction with this cosine to n, `turns` around it.
@@ -73,22 +59,24 @@ inline glm::vec3 ggx_half_vector(const glm::vec2& u, float alpha) {
 }
 
 /// A half vector with the density of those facets of GGX that v sees   D_v = G_1(v) (v.h) D / (n.v).   v in the
-/// surface's frame, v.z > 0. Stretch v, take an even point of the spherical cap that it sees, squeeze back.     Dupuy &
-/// Benyoub 2023
-inline glm::vec3 visible_half_vector(const glm::vec2& u, const glm::vec3& v, float alpha) {
-    const glm::vec3 s = glm::normalize(glm::vec3(alpha * v.x, alpha * v.y, v.z));
-    const float z = (1.0f - u.y) * (1.0f + s.z) - s.z;
-    const float sin2 = (1.0f - z) * (1.0f + z);
-    const float radius = std::sqrt(sin2 > 0.0f ? sin2 : 0.0f);
-    const raster::SinCos phi = raster::sin_cos_of_turns(u.x);
-    const glm::vec3 m{alpha * (radius * phi.cos + s.x), alpha * (radius * phi.sin + s.y), z + s.z};
-    const float length2 = glm::dot(m, m);
-    return m * (1.0f / std::sqrt(length2 > 1e-30f ? length2 : 1e-30f));
+/// surface's frame, v.z > 0; u, phi: a point of the unit square as height and angle. Stretch v, take an even point of
+/// the spherical cap that it sees, squeeze back. In float for pictures, in double for tables.       Dupuy & Benyoub
+/// 2023
+template <class Real>
+inline glm::vec<3, Real> visible_facet(const glm::vec<3, Real>& v, Real alpha, Real cos_phi, Real sin_phi, Real u) {
+    constexpr Real k0{0}, k1{1}, kLeast = Real(raster::kLeastLength2);
+    const glm::vec<3, Real> s = glm::normalize(glm::vec<3, Real>(alpha * v.x, alpha * v.y, v.z));
+    const Real z = (k1 - u) * (k1 + s.z) - s.z;
+    const Real sin2 = (k1 - z) * (k1 + z);
+    const Real radius = std::sqrt(sin2 > k0 ? sin2 : k0);
+    const glm::vec<3, Real> m{alpha * (radius * cos_phi + s.x), alpha * (radius * sin_phi + s.y), z + s.z};
+    const Real length2 = glm::dot(m, m);
+    return m * (k1 / std::sqrt(length2 > kLeast ? length2 : kLeast));
 }
 
-/// v mirrored in h.
-inline glm::vec3 mirrored(const glm::vec3& v, const glm::vec3& h) {
-    return (2.0f * glm::dot(v, h)) * h - v;
+inline glm::vec3 visible_half_vector(const glm::vec2& u, const glm::vec3& v, float alpha) {
+    const raster::SinCos phi = raster::sin_cos_of_turns(u.x);
+    return visible_facet(v, alpha, phi.cos, phi.sin, u.y);
 }
 
 }  // namespace kreda::lighting

@@ -1,13 +1,12 @@
 // Light sources as plain data, and what each of them sends to a point of a surface.
 #pragma once
 
-#include <cmath>
-
 #include <glm/geometric.hpp>
 #include <glm/trigonometric.hpp>
 #include <glm/vec3.hpp>
 
 #include "raster/scalar_math.hpp"
+#include "raster/unit_vector.hpp"
 
 namespace kreda::lighting {
 
@@ -53,7 +52,7 @@ inline float spot_cone(float cos_angle, float cos_inner, float cos_outer) {
     const float sharp = cos_angle >= cos_outer ? 1.0f : 0.0f;
     const float ramp = raster::saturate((cos_angle - cos_outer) / (width > 0.0f ? width : 1.0f));
     const float t = width > 0.0f ? ramp : sharp;
-    return t * t * (3.0f - 2.0f * t);
+    return raster::smooth_ramp(t);
 }
 
 /// A light made ready for a frame: lengths and cosines that are the same for every point.
@@ -77,8 +76,7 @@ inline LightSample sample_directional(const LightSetup& light) {
 /// no direction: l is 0 and nothing is lit.
 inline LightSample sample_point(const LightSetup& light, const glm::vec3& p) {
     const glm::vec3 to_light = light.position - p;
-    const float d2 = glm::dot(to_light, to_light);
-    const float d = std::sqrt(d2 > 1e-30f ? d2 : 1e-30f);
+    const float d = raster::divisible_length(to_light);
     LightSample sample;
     sample.l = to_light * (1.0f / d);
     sample.irradiance = light.radiance * attenuate(light.attenuation, d);

@@ -13,6 +13,7 @@
 #include <glm/vec3.hpp>
 
 #include "raster/scalar_math.hpp"
+#include "raster/unit_vector.hpp"
 
 namespace kreda::lighting {
 
@@ -54,9 +55,8 @@ struct HalfVectorAngles {
 /// l and v rounded to float turn h by some 6e-8 / (v.h): in D a relative error of up to 5e-7 / (alpha v.h).
 inline HalfVectorAngles half_vector_angles(const glm::vec3& n, const glm::vec3& l, const glm::vec3& v) {
     const glm::vec3 sum = l + v;
-    const float length2 = glm::dot(sum, sum);
-    const float length = std::sqrt(length2 > 1e-30f ? length2 : 1e-30f);
-    const glm::vec3 h = sum * (1.0f / length);
+    const float length = raster::divisible_length(sum);
+    const glm::vec3 h = sum * (1.0f / length);  // unit(sum)
     return {raster::saturate(glm::dot(n, h)), raster::saturate(0.5f * length), squared_sine(n, h)};
 }
 
@@ -78,13 +78,18 @@ inline float ggx_distribution(float n_dot_h, float sin2_h, float alpha) {
     return alpha_by_q * alpha_by_q * raster::kInvPi;
 }
 
+/// The exponent of Beckmann's lobe and of Ward's   -tan^2 theta_h / alpha^2
+inline float beckmann_exponent(float n_dot_h, float sin2_h, float alpha) {
+    const float c2 = n_dot_h * n_dot_h > 1e-12f ? n_dot_h * n_dot_h : 1e-12f;
+    return -sin2_h / (c2 * (alpha * alpha));
+}
+
 /// Beckmann   D = exp(-tan^2 theta_h / alpha^2) / (pi alpha^2 cos^4 theta_h)
 /// Cook & Torrance 1982; Walter et al. 2007 eq. (25)
 inline float beckmann_distribution(float n_dot_h, float sin2_h, float alpha) {
     const float c2 = n_dot_h * n_dot_h > 1e-12f ? n_dot_h * n_dot_h : 1e-12f;
-    const float alpha2 = alpha * alpha;
-    const float exponent = -sin2_h / (c2 * alpha2);
-    return raster::exp(exponent) / (raster::kPi * alpha2 * (c2 * c2));
+    const float exponent = beckmann_exponent(n_dot_h, sin2_h, alpha);
+    return raster::exp(exponent) / (raster::kPi * (alpha * alpha) * (c2 * c2));
 }
 
 /// ln(1 - x) given both x and 1 - x, relative error below 1e-6 on all of [0, 1]: near 0 as -2 artanh(x / (2 - x)), a

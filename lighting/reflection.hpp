@@ -10,6 +10,7 @@
 
 #include "lighting/material.hpp"
 #include "raster/scalar_math.hpp"
+#include "raster/unit_vector.hpp"
 
 namespace kreda::lighting {
 
@@ -25,19 +26,14 @@ inline float positive_dot(const glm::vec3& a, const glm::vec3& b) {
     return cosine > 0.0f ? cosine : 0.0f;
 }
 
-/// v / |v|; a vector of length 0 stays 0.
-inline glm::vec3 unit(const glm::vec3& v) {
-    const float length2 = glm::dot(v, v);
-    const float safe = length2 > 1e-30f ? length2 : 1e-30f;
-    return v * (1.0f / std::sqrt(safe));
-}
+using raster::unit;
 
 /// Ambient term   I_A = s_A (x) m_A, component by component.
 inline glm::vec3 ambient_term(const glm::vec3& s_A, const glm::vec3& m_A) {
     return s_A * m_A;
 }
 
-/// Mirror image of l in the normal   r = 2 (n.l) n - l.   Unit if n and l are.
+/// Mirror image of l in the normal   r = 2 (n.l) n - l.   Unit if n and l are. The same of v in a facet h.
 inline glm::vec3 mirror_vector(const glm::vec3& n, const glm::vec3& l, float n_dot_l) {
     return 2.0f * n_dot_l * n - l;
 }
@@ -83,22 +79,29 @@ inline ReflectedTerms phong_terms(float n_dot_l, float highlight, const PhongMat
     return {m.diffuse * cosine, m.specular * highlight};
 }
 
-// phong() and blinn_phong() are the whole formulas at one point. A batch runs the same small functions as passes, each
-// leaving a channel: n.l; Sigma, one loop a model; the highlight; the terms.
+/// The highlight   Sigma^h, 0 on the side that faces away from the light
+inline float highlight_of(float sigma, float n_dot_l, const PhongMaterial& m) {
+    return raster::pow(sigma, m.shininess) * faces_light(n_dot_l);
+}
+
+// phong() and blinn_phong() are the whole formulas at one point; they differ in Sigma. A large batch runs the same
+// small functions as passes, each leaving a channel: n.l; Sigma; the highlight; the terms.
 
 /// Phong's model of one light, mirror vector:   m_D (l.n),   m_S (v.r)^h
 inline ReflectedTerms phong(const glm::vec3& n, const glm::vec3& l, const glm::vec3& v, const PhongMaterial& m) {
     const float n_dot_l = glm::dot(n, l);
-    const float sigma = sigma_phong(v, mirror_vector(n, l, n_dot_l));
-    const float highlight = raster::pow(sigma, m.shininess) * faces_light(n_dot_l);
+    const glm::vec3 r = mirror_vector(n, l, n_dot_l);
+    const float sigma = sigma_phong(v, r);
+    const float highlight = highlight_of(sigma, n_dot_l, m);
     return phong_terms(n_dot_l, highlight, m);
 }
 
 /// Blinn-Phong model of one light, half vector:   m_D (l.n),   m_S (n.h)^h
 inline ReflectedTerms blinn_phong(const glm::vec3& n, const glm::vec3& l, const glm::vec3& v, const PhongMaterial& m) {
     const float n_dot_l = glm::dot(n, l);
-    const float sigma = sigma_blinn(n, half_vector(l, v));
-    const float highlight = raster::pow(sigma, m.shininess) * faces_light(n_dot_l);
+    const glm::vec3 h = half_vector(l, v);
+    const float sigma = sigma_blinn(n, h);
+    const float highlight = highlight_of(sigma, n_dot_l, m);
     return phong_terms(n_dot_l, highlight, m);
 }
 

@@ -149,10 +149,7 @@ SpectralIndex spectral_index(const MeasuredMaterial& material, float outside_ior
 
 glm::vec3 spectral_fresnel(float c, const SpectralIndex& index) {
     glm::vec3 F(0.0f);
-    for (std::size_t i = 0; i < index.n.size(); ++i) {
-        const float reflected = fresnel_conductor(c, index.n[i], index.k[i]);
-        F += index.color[i] * reflected;
-    }
+    for (std::size_t i = 0; i < index.n.size(); ++i) { F += reflected_at(c, index.color[i], index.n[i], index.k[i]); }
     return F;
 }
 

@@ -86,6 +86,11 @@ struct SpectralIndex {
     std::array<glm::vec3, kSpectrumSamples> color{};
 };
 
+/// What one wavelength adds to the colour   color F(c, n, k)
+inline glm::vec3 reflected_at(float c, const glm::vec3& color, float n, float k) {
+    return color * fresnel_conductor(c, n, k);
+}
+
 [[nodiscard]] SpectralIndex spectral_index(const MeasuredMaterial& material, float outside_ior = 1.0f);
 
 /// The oracle in float   F = sum over wavelengths  color F(c, n, k)

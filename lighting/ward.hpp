@@ -12,6 +12,7 @@
 
 #include "lighting/microfacet.hpp"
 #include "lighting/reflection.hpp"
+#include "raster/orthonormal_frame.hpp"
 #include "raster/scalar_math.hpp"
 
 namespace kreda::lighting {
@@ -20,9 +21,8 @@ namespace kreda::lighting {
 /// Towards grazing it loses light: with alpha = 0.1 and rho_s = 1 the directional albedo falls from 0.97 (0 degrees) to
 /// 0.69 (45), 0.18 (80) and 0.12 (85). ward_bounded keeps most of it.  0 where n.l or n.v is 0.
 inline float ward_isotropic(const MicrofacetAngles& angles, float alpha) {
-    const float c2 = angles.n_dot_h * angles.n_dot_h > 1e-12f ? angles.n_dot_h * angles.n_dot_h : 1e-12f;
-    const float alpha2 = alpha * alpha;
-    const float lobe = raster::exp(-angles.sin2_h / (c2 * alpha2)) * (0.25f * raster::kInvPi / alpha2);
+    const float exponent = beckmann_exponent(angles.n_dot_h, angles.sin2_h, alpha);
+    const float lobe = raster::exp(exponent) * (0.25f * raster::kInvPi / (alpha * alpha));
     const float product = angles.n_dot_l * angles.n_dot_v;
     const float by_root = 1.0f / std::sqrt(product > 1e-12f ? product : 1e-12f);
     return product > 0.0f ? lobe * by_root : 0.0f;
@@ -81,21 +81,13 @@ inline ReflectedTerms ward_brushed(const glm::vec3& n, const glm::vec3& t, const
     return {m.diffuse * n_dot_l, m.specular * (raster::kPi * f * n_dot_l)};
 }
 
-/// Some unit vector at right angles to n, unit.                                                  Duff et al. 2017
-inline glm::vec3 any_tangent(const glm::vec3& n) {
-    const float sign = n.z >= 0.0f ? 1.0f : -1.0f;
-    const float a = -1.0f / (sign + n.z);
-    return {1.0f + sign * n.x * n.x * a, sign * n.x * n.y * a, -sign * n.x};
-}
-
 /// The grain's direction within the surface   t = (g - (g.n) n) / |g - (g.n) n|.   Where the grain runs straight
 /// into the surface it has none there: any tangent will do.
 inline glm::vec3 tangent_of_grain(const glm::vec3& grain, const glm::vec3& n) {
     const glm::vec3 within = grain - glm::dot(grain, n) * n;
-    const float length2 = glm::dot(within, within);
-    const glm::vec3 t = within * (1.0f / std::sqrt(length2 > 1e-12f ? length2 : 1e-12f));
-    const glm::vec3 other = any_tangent(n);
-    const bool runs_within = length2 > 1e-8f;
+    const glm::vec3 t = unit(within, 1e-12f);
+    const glm::vec3 other = raster::frame_around(n).t;
+    const bool runs_within = glm::dot(within, within) > 1e-8f;
     return {runs_within ? t.x : other.x, runs_within ? t.y : other.y, runs_within ? t.z : other.z};
 }
 

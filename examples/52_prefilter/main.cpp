@@ -31,7 +31,7 @@ void print_samples() {
     std::printf("%2s %7s %7s %9s %10s %6s\n", "k", "n.h", "n.l", "p [1/sr]", "w_s [sr]", "lod");
     for (const int k : {0, 1, 2, 3, 31}) {
         const glm::vec3 h = lighting::ggx_half_vector(lighting::hammersley(k, kFew), kAlpha);
-        const glm::vec3 l = lighting::mirrored({0.0f, 0.0f, 1.0f}, h);
+        const glm::vec3 l = lighting::mirror_vector(h, {0.0f, 0.0f, 1.0f});
         const float p = 0.25f * lighting::ggx_distribution(h.z, h.x * h.x + h.y * h.y, kAlpha);
         const float w_s = 1.0f / (kFew * p), w_p = 4.0f * raster::kPi / (6.0f * kSize * kSize);
         const glm::dvec4 row(h.z, l.z, p, w_s);

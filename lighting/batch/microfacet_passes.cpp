@@ -8,8 +8,7 @@ namespace {
 
 using raster::lanes_for;
 
-KREDA_BATCH_LOOP void fill_constants(int lanes, const MicrofacetSurface& surface, MicrofacetChannels& m) {
-    const MicrofacetSurface s = surface;
+KREDA_BATCH_LOOP void fill_constants(int lanes, MicrofacetSurface s, MicrofacetChannels& m) {
     for (int i = 0; i < lanes; ++i) {
         m.albedo.set(i, s.albedo);
         m.f0.set(i, s.f0);
@@ -53,9 +52,10 @@ KREDA_BATCH_LOOP void find_visibility(int lanes, Geometry geometry, LitBy lit_by
 }
 
 /// Wavelength after wavelength, each over the whole batch: the sums stay in the order of spectral_fresnel.
-KREDA_BATCH_LOOP void add_wavelength(int lanes, const glm::vec3& color, float n, float k, MicrofacetChannels& m) {
-    const glm::vec3 share = color;
-    for (int i = 0; i < lanes; ++i) m.F.set(i, m.F.at(i) + share * fresnel_conductor(m.v_dot_h.at(i), n, k));
+KREDA_BATCH_LOOP void add_wavelength(int lanes, const SpectralIndex& index, std::size_t w, MicrofacetChannels& m) {
+    const glm::vec3 color = index.color[w];
+    const float n = index.n[w], k = index.k[w];
+    for (int i = 0; i < lanes; ++i) m.F.set(i, m.F.at(i) + reflected_at(m.v_dot_h.at(i), color, n, k));
 }
 
 KREDA_BATCH_LOOP void start_spectrum(int lanes, MicrofacetChannels& m) {
@@ -64,7 +64,7 @@ KREDA_BATCH_LOOP void start_spectrum(int lanes, MicrofacetChannels& m) {
 
 void find_spectral(int lanes, const SpectralIndex& index, MicrofacetChannels& m) {
     start_spectrum(lanes, m);
-    for (std::size_t w = 0; w < index.n.size(); ++w) add_wavelength(lanes, index.color[w], index.n[w], index.k[w], m);
+    for (std::size_t w = 0; w < index.n.size(); ++w) add_wavelength(lanes, index, w, m);
 }
 
 KREDA_BATCH_LOOP void find_at_one_index(int lanes, const CookTorranceSetup& setup, MicrofacetChannels& m) {
@@ -94,10 +94,7 @@ KREDA_BATCH_LOOP void add_light(int lanes, LightingChannels& c) {
 KREDA_BATCH_LOOP void add_compensation(int lanes, const CookTorranceSetup& setup, LightingChannels& c) {
     const MicrofacetChannels& m = c.microfacet;
     for (int i = 0; i < lanes; ++i) {  // not vectorized: an option, and most of it are look-ups in a table
-        MicrofacetSurface surface;
-        surface.f0 = m.f0.at(i);
-        surface.roughness = m.roughness.at(i);
-        const glm::vec3 f_ms = compensation_term(setup, surface, m.n_dot_l.at(i), m.n_dot_v.at(i));
+        const glm::vec3 f_ms = compensation_term(setup, surface_at(m, i), m.n_dot_l.at(i), m.n_dot_v.at(i));
         c.specular.set(i, c.specular.at(i) + c.irradiance.at(i) * f_ms);
     }
 }

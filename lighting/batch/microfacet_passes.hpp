@@ -11,6 +11,11 @@ namespace kreda::lighting {
 /// The material's constants at every point (read_maps overwrites what maps give).
 void fill_surface(int count, const CookTorranceSetup& setup, MicrofacetChannels& channels);
 
+/// The surface at point i.
+inline MicrofacetSurface surface_at(const MicrofacetChannels& m, int i) {
+    return {m.albedo.at(i), m.f0.at(i), m.metallic.at(i), m.roughness.at(i), m.alpha.at(i)};
+}
+
 /// n.v, the same for all lights, from channels.n and channels.v.
 void find_viewing_angle(int count, LightingChannels& channels);
 

@@ -35,19 +35,19 @@ void place_nodes(float roughness, RowScratch& row) {
     find_viewing_angle(kBrdfMapSize, c);
 }
 
-KREDA_BATCH_LOOP void reflect_at_facets(int lanes, const glm::vec2& point, LightingChannels& c) {
-    const glm::vec2 u = point;
+KREDA_BATCH_LOOP void reflect_at_facets(int lanes, glm::vec2 u, LightingChannels& c) {
     for (int i = 0; i < lanes; ++i) {
         const glm::vec3 v = c.v.at(i);
-        set_direction_to_light(c, i, mirrored(v, visible_half_vector(u, v, c.microfacet.alpha.at(i))));
+        set_direction_to_light(c, i, mirror_vector(visible_half_vector(u, v, c.microfacet.alpha.at(i)), v));
     }
 }
 
+/// A and B: the mean of f (n.l) / p, split by F = F0 (1 - F_c) + F_c. For F = 1 it is the directional albedo A + B,
+/// which energy.cpp computes in its own way and says why.
 KREDA_BATCH_LOOP void add_sample(int lanes, const MicrofacetChannels& m, Channel& scale, Channel& bias) {
     for (int i = 0; i < lanes; ++i) {
         const float w = visible_weight(m, i);
-        const float m1 = 1.0f - m.v_dot_h.at(i);
-        const float F_c = (m1 * m1) * (m1 * m1) * m1;
+        const float F_c = schlick_weight(m.v_dot_h.at(i));
         scale.set(i, scale.at(i) + (1.0f - F_c) * w);
         bias.set(i, bias.at(i) + F_c * w);
     }

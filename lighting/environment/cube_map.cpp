@@ -62,10 +62,9 @@ KREDA_BATCH_LOOP void find_taps(int lanes, const CubeLevel& level, const raster:
     for (int i = 0; i < lanes; ++i) taps.set(i, cube_tap(cube_point(d.at(i)), size, offset, 1.0f));
 }
 
-KREDA_BATCH_LOOP void find_trilinear_taps(int lanes, const LevelTable& levels, int last, const raster::Channel3& d,
-                                          const raster::Channel& lod, TapChannels* taps) {
+KREDA_BATCH_LOOP void find_trilinear_taps(int lanes, const LevelTable& levels, int last_level,
+                                          const raster::Channel3& d, const raster::Channel& lod, TapChannels* taps) {
     const LevelTable table = levels;  // a copy: through a reference the compiler fears that taps overwrite it
-    const int last_level = last;
     TapChannels& finer = taps[0];
     TapChannels& coarser = taps[1];
     for (int i = 0; i < lanes; ++i) {
@@ -78,9 +77,8 @@ KREDA_BATCH_LOOP void find_trilinear_taps(int lanes, const LevelTable& levels, i
 
 /// The same where all points have one lod.
 KREDA_BATCH_LOOP void find_taps_between(int lanes, const CubeLevel& finer_level, const CubeLevel& coarser_level,
-                                        float share_of_coarser, const raster::Channel3& d, TapChannels* taps) {
+                                        float share, const raster::Channel3& d, TapChannels* taps) {
     const CubeLevel at_finer = finer_level, at_coarser = coarser_level;
-    const float share = share_of_coarser;
     TapChannels& finer = taps[0];
     TapChannels& coarser = taps[1];
     for (int i = 0; i < lanes; ++i) {

@@ -12,11 +12,12 @@
 #include <glm/vec3.hpp>
 
 #include "lighting/environment/texel_taps.hpp"
+#include "raster/cube_face.hpp"
 #include "raster/scalar_math.hpp"
 
 namespace kreda::lighting {
 
-inline constexpr int kCubeFaces = 6;
+using raster::kCubeFaces;
 
 /// A point of the cube's surface.
 struct CubePoint {
@@ -38,20 +39,13 @@ inline glm::vec3 direction_of(const CubePoint& point) {
 
 /// The point of the cube in a direction of any length. The inverse of direction_of; no branch, no angle.
 inline CubePoint cube_point(const glm::vec3& d) {
-    const float x = std::abs(d.x), y = std::abs(d.y), z = std::abs(d.z);
-    const bool on_x = (x >= y) & (x >= z);
-    const bool on_y = !on_x & (y >= z);
-    const float y_or_z = on_y ? d.y : d.z;
-    const float along = on_x ? d.x : y_or_z;
-    const float sign = along < 0.0f ? -1.0f : 1.0f;
-    const float s_y_or_z = on_y ? d.x : sign * d.x;
-    const float s = on_x ? -sign * d.z : s_y_or_z;
-    const float t = on_y ? sign * d.z : -d.y;
-    const float length = std::abs(along);
+    const raster::CubeFace at = raster::cube_face(d);
+    const float s_y_or_z = at.on_y() ? d.x : at.sign * d.x;
+    const float s = at.on_x() ? -at.sign * d.z : s_y_or_z;
+    const float t = at.on_y() ? at.sign * d.z : -d.y;
+    const float length = std::abs(at.along);
     const float half_by_length = 0.5f / (length > raster::kMinNormal ? length : raster::kMinNormal);
-    const int pair = on_x ? 0 : (on_y ? 2 : 4);
-    return {pair + (along < 0.0f ? 1 : 0), raster::saturate(0.5f + s * half_by_length),
-            raster::saturate(0.5f + t * half_by_length)};
+    return {at.face, raster::saturate(0.5f + s * half_by_length), raster::saturate(0.5f + t * half_by_length)};
 }
 
 /// A direction of the world as the maps of an environment know it that is turned about +y: turned back.

@@ -27,7 +27,7 @@ std::vector<LobeSample> lobe_samples(float alpha, int count, int radiance_size) 
     std::vector<LobeSample> samples;
     for (int k = 0; k < count; ++k) {
         const glm::vec3 h = ggx_half_vector(hammersley(k, count), alpha);
-        const glm::vec3 l = mirrored({0.0f, 0.0f, 1.0f}, h);
+        const glm::vec3 l = mirror_vector(h, {0.0f, 0.0f, 1.0f});
         if (l.z <= 0.0f) continue;
         const float p = 0.25f * ggx_distribution(h.z, h.x * h.x + h.y * h.y, alpha);
         const float share = 1.0f / (static_cast<float>(count) * p);
@@ -41,13 +41,11 @@ struct PrefilterScratch {
     TapScratch taps;
 };
 
-KREDA_BATCH_LOOP void place_sample(int lanes, const glm::vec3& in_frame, PrefilterScratch& s) {
-    const glm::vec3 d = in_frame;
+KREDA_BATCH_LOOP void place_sample(int lanes, glm::vec3 d, PrefilterScratch& s) {
     for (int i = 0; i < lanes; ++i) s.l.set(i, to_world(frame_around(s.n.at(i)), d));
 }
 
-KREDA_BATCH_LOOP void add_sample(int lanes, float weight, const Channel3& color, Channel3& sum) {
-    const float w = weight;
+KREDA_BATCH_LOOP void add_sample(int lanes, float w, const Channel3& color, Channel3& sum) {
     for (int i = 0; i < lanes; ++i) sum.set(i, sum.at(i) + color.at(i) * w);
 }
 

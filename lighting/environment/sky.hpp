@@ -22,8 +22,7 @@ inline glm::vec3 gradient_sky(const glm::vec3& d) {
 
 /// 0 below `from`, 1 above `to`, smooth between.
 inline float smooth_step(float from, float to, float x) {
-    const float t = raster::saturate((x - from) / (to - from));
-    return t * t * (3.0f - 2.0f * t);
+    return raster::smooth_ramp(raster::saturate((x - from) / (to - from)));
 }
 
 /// 1 inside a rectangle of half widths `half` around the axis `center`, as seen from the middle; soft edges.

@@ -92,7 +92,7 @@ TEST_CASE("importance: a frame is orthonormal and right-handed around any normal
     for (const vec3& n : normals) {
         CAPTURE(n.x);
         CAPTURE(n.z);
-        const Frame frame = frame_around(n);
+        const kreda::raster::OrthonormalFrame frame = frame_around(n);
         // Duff et al. state an error of some 1e-7 in float.
         CHECK(glm::dot(frame.t, frame.t) == doctest::Approx(1.0).epsilon(1e-6));
         CHECK(glm::dot(frame.b, frame.b) == doctest::Approx(1.0).epsilon(1e-6));
@@ -169,9 +169,9 @@ TEST_CASE("importance: visible half vectors are as dense as the facets that v se
 
 TEST_CASE("importance: a mirrored direction makes the same angle on the other side") {
     const float s = std::sqrt(0.5f);
-    CHECK(glm::distance(mirrored({0, 0, 1}, {s, 0, s}), vec3(1, 0, 0)) < 1e-6f);
+    CHECK(glm::distance(mirror_vector({s, 0, s}, {0, 0, 1}), vec3(1, 0, 0)) < 1e-6f);
     const vec3 v = glm::normalize(vec3(0.3f, -0.2f, 0.9f)), h = glm::normalize(vec3(-0.1f, 0.4f, 0.8f));
-    const vec3 l = mirrored(v, h);
+    const vec3 l = mirror_vector(h, v);
     CHECK(glm::dot(l, h) == doctest::Approx(double(glm::dot(v, h))).epsilon(1e-6));
     CHECK(glm::length(l) == doctest::Approx(1.0).epsilon(1e-6));
     CHECK(glm::length(glm::cross(l + v, h)) < 1e-6f);

@@ -37,7 +37,7 @@ TEST_CASE("sky: the gradient is earth below and sky above and 20 more in its sun
     const vec3 sun = glm::normalize(vec3(0.4f, 0.8f, 0.3f));
     check_near(gradient_sky(sun), {20.3924f, 20.5734f, 20.9392f}, 3e-5);  // (d.sun)^256: 256 roundings of 6e-8
     // Half of 20 where (d.sun)^256 = 1/2: 4.2146 degrees from the sun.
-    const Frame around = frame_around(sun);
+    const kreda::raster::OrthonormalFrame around = frame_around(sun);
     const double angle = std::acos(std::pow(0.5, 1.0 / 256.0));
     const vec3 beside = to_world(around, {float(std::sin(angle)), 0.0f, float(std::cos(angle))});
     const float t = 0.5f * beside.y + 0.5f;

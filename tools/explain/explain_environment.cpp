@@ -46,15 +46,6 @@ void explain_prefiltered(const LightingChannels& c, Section& section) {
                      "radiance around r, blurred as the surface is rough");
 }
 
-/// F_ms, what several bounces leave of a colour.
-glm::vec3 bounced_color(const lighting::CookTorranceSetup& setup, const glm::vec3& f0, float E_avg) {
-    glm::vec3 F_ms;
-    for (int i = 0; i < 3; ++i) {
-        F_ms[i] = lighting::multiple_scattering_color(lighting::average_schlick(f0[i]) + setup.f_avg_shift[i], E_avg);
-    }
-    return F_ms;
-}
-
 void explain_split_sum(const lighting::CookTorranceSetup& setup, const LightingChannels& c, Section& section) {
     const MicrofacetChannels& m = c.microfacet;
     const EnvironmentChannels& e = c.environment;
@@ -81,7 +72,7 @@ void explain_split_sum(const lighting::CookTorranceSetup& setup, const LightingC
         section.equation("env_S", "ao P (F0 A + B)", ao + " · " + single, e.specular.at(0), "specular light from it");
         return;
     }
-    const glm::vec3 F_ms = bounced_color(setup, f0, brdf.z);
+    const glm::vec3 F_ms = lighting::multiple_scattering_color(f0, setup.f_avg_shift, brdf.z);
     section.equation("F_ms", "", "", F_ms, "what is left after several bounces between the facets: Kulla and Conty");
     section.equation("env_S", "ao (P (F0 A + B) + F_ms (1 - A - B) E / π)",
                      ao + " · (" + single + " + " + vector_text(F_ms) + " ⊗ " + number_text(1.0f - (brdf.x + brdf.y)) +
