@@ -60,12 +60,10 @@ struct LightingChannels {
     EnvironmentChannels environment;
 };
 
-/// The way to the light that is being added, unit, at point i: l and n.l. Returns n.l. Requires n.
-inline float set_direction_to_light(LightingChannels& c, int i, const glm::vec3& l) {
-    const float n_dot_l = glm::dot(c.n.at(i), l);
+/// The way to the light that is being added, unit, at point i: l and n.l. Requires n.
+inline void set_direction_to_light(LightingChannels& c, int i, const glm::vec3& l) {
     c.l.set(i, l);
-    c.n_dot_l.set(i, n_dot_l);
-    return n_dot_l;
+    c.n_dot_l.set(i, glm::dot(c.n.at(i), l));
 }
 
 /// Add one light's reflection at point i to the sums.

@@ -9,9 +9,7 @@ namespace kreda::lighting {
 /// Add model(i, material), what the light in channels.l reflects at point i, to the sums. With `diffuse_from_map` the
 /// material at point i has m_D = channels.m_D.
 template <class Model>
-inline void add_model(int lanes, const PhongMaterial& material, bool diffuse_from_map, LightingChannels& c,
-                      Model model) {
-    const PhongMaterial m = material;
+inline void add_model(int lanes, PhongMaterial m, bool diffuse_from_map, LightingChannels& c, Model model) {
     if (!diffuse_from_map) {
         for (int i = 0; i < lanes; ++i) add_terms(c, i, model(i, m));
         return;

@@ -15,62 +15,53 @@ using raster::Fragments;
 using raster::lanes_for;
 
 /// n = normal / |normal|,  v = (eye - p) / |eye - p|  (perspective) or the same everywhere (orthographic).
-KREDA_BATCH_LOOP void surface_directions(const Fragments& f, int lanes, const LightingSetup& setup,
-                                         LightingChannels& c) {
-    const glm::vec3 eye = setup.eye;
+KREDA_BATCH_LOOP void surface_directions(const Fragments& f, int lanes, glm::vec3 eye, LightingChannels& c) {
     for (int i = 0; i < lanes; ++i) {
         c.n.set(i, unit(f.normal.at(i)));
         c.v.set(i, unit(eye - f.position.at(i)));
     }
 }
 
-KREDA_BATCH_LOOP void same_view_everywhere(int lanes, const glm::vec3& to_viewer, LightingChannels& c) {
-    const glm::vec3 v = to_viewer;
+KREDA_BATCH_LOOP void same_view_everywhere(int lanes, glm::vec3 v, LightingChannels& c) {
     for (int i = 0; i < lanes; ++i) c.v.set(i, v);
 }
 
 /// What is there without any light: s_A m_A + m_E, and nothing reflected yet.
-KREDA_BATCH_LOOP void start_terms(int lanes, const glm::vec3& ambient_and_emission, LightingChannels& c) {
-    const glm::vec3 base = ambient_and_emission;
+KREDA_BATCH_LOOP void start_terms(int lanes, glm::vec3 ambient_and_emission, LightingChannels& c) {
     for (int i = 0; i < lanes; ++i) {
-        c.ambient.set(i, base);
+        c.ambient.set(i, ambient_and_emission);
         c.diffuse.set(i, glm::vec3(0.0f));
         c.specular.set(i, glm::vec3(0.0f));
     }
 }
 
 /// Unlit: what the map shows, and m_E.
-KREDA_BATCH_LOOP void shine_by_map(int lanes, const glm::vec3& emission, LightingChannels& c) {
-    const glm::vec3 m_E = emission;
+KREDA_BATCH_LOOP void shine_by_map(int lanes, glm::vec3 m_E, LightingChannels& c) {
     for (int i = 0; i < lanes; ++i) c.ambient.set(i, c.m_D.at(i) + m_E);
 }
 
-/// What one light sends to point i. Returns 1 where the surface faces it, else 0.
-inline int set_light(LightingChannels& c, int i, const LightSample& s) {
+/// What one light sends to point i.
+inline void set_light(LightingChannels& c, int i, const LightSample& s) {
     c.irradiance.set(i, s.irradiance);
-    return set_direction_to_light(c, i, s.l) > 0.0f ? 1 : 0;
+    set_direction_to_light(c, i, s.l);
 }
 
-// The loops over a light return how many lanes face it, the ones behind the last point among them.
-
-KREDA_BATCH_LOOP int sample_directional_light(int lanes, const LightSetup& setup, LightingChannels& c) {
-    const LightSetup light = setup;
-    int facing = 0;
-    for (int i = 0; i < lanes; ++i) facing += set_light(c, i, sample_directional(light));
-    return facing;
+KREDA_BATCH_LOOP void sample_directional_light(int lanes, LightSetup light, LightingChannels& c) {
+    for (int i = 0; i < lanes; ++i) set_light(c, i, sample_directional(light));
 }
 
-KREDA_BATCH_LOOP int sample_point_light(const Fragments& f, int lanes, const LightSetup& setup, LightingChannels& c) {
-    const LightSetup light = setup;
-    int facing = 0;
-    for (int i = 0; i < lanes; ++i) facing += set_light(c, i, sample_point(light, f.position.at(i)));
-    return facing;
+KREDA_BATCH_LOOP void sample_point_light(const Fragments& f, int lanes, LightSetup light, LightingChannels& c) {
+    for (int i = 0; i < lanes; ++i) set_light(c, i, sample_point(light, f.position.at(i)));
 }
 
-KREDA_BATCH_LOOP int sample_spot_light(const Fragments& f, int lanes, const LightSetup& setup, LightingChannels& c) {
-    const LightSetup light = setup;
+KREDA_BATCH_LOOP void sample_spot_light(const Fragments& f, int lanes, LightSetup light, LightingChannels& c) {
+    for (int i = 0; i < lanes; ++i) set_light(c, i, sample_spot(light, f.position.at(i)));
+}
+
+/// How many lanes face the light, the ones behind the last point among them.
+KREDA_BATCH_LOOP int lanes_facing_light(int lanes, const LightingChannels& c) {
     int facing = 0;
-    for (int i = 0; i < lanes; ++i) facing += set_light(c, i, sample_spot(light, f.position.at(i)));
+    for (int i = 0; i < lanes; ++i) facing += c.n_dot_l.at(i) > 0.0f ? 1 : 0;
     return facing;
 }
 
@@ -79,36 +70,44 @@ KREDA_BATCH_LOOP void add_lambert(int lanes, const PhongMaterial& material, bool
               [&c](int i, const PhongMaterial& m) { return lambert(c.n.at(i), c.l.at(i), m); });
 }
 
-/// Sigma at point i. Returns 1 where its highlight can be seen: on the side that faces the light, and above `least`.
-inline int set_sigma(LightingChannels& c, int i, float sigma, float least) {
-    c.sigma.set(i, sigma);
-    return sigma * faces_light(c.n_dot_l.at(i)) > least ? 1 : 0;
+/// use(Sigma), where Sigma(n, l, v, n_dot_l) is the measure of reflection of Phong's model or of Blinn's.
+template <class Use>
+inline void with_sigma(ReflectionModel model, Use use) {
+    if (model == ReflectionModel::phong) {
+        return use([](const glm::vec3& n, const glm::vec3& l, const glm::vec3& v, float n_dot_l) {
+            return sigma_phong(v, mirror_vector(n, l, n_dot_l));
+        });
+    }
+    use([](const glm::vec3& n, const glm::vec3& l, const glm::vec3& v, float) {
+        return sigma_blinn(n, half_vector(l, v));
+    });
 }
 
-// The loops over Sigma return how many lanes have a highlight.
+KREDA_BATCH_LOOP void find_sigma(int lanes, ReflectionModel model, LightingChannels& c) {
+    with_sigma(model, [&](auto Sigma) {
+        for (int i = 0; i < lanes; ++i) {  // 2 formulas
+            c.sigma.set(i, Sigma(c.n.at(i), c.l.at(i), c.v.at(i), c.n_dot_l.at(i)));
+        }
+    });
+}
 
-KREDA_BATCH_LOOP int find_sigma_phong(int lanes, float least, LightingChannels& c) {
+/// How many lanes have a highlight: they face the light, and their Sigma is above `least`.
+KREDA_BATCH_LOOP int lanes_with_highlight(int lanes, float least, const LightingChannels& c) {
     int shining = 0;
-    for (int i = 0; i < lanes; ++i) {
-        const glm::vec3 r = mirror_vector(c.n.at(i), c.l.at(i), c.n_dot_l.at(i));
-        shining += set_sigma(c, i, sigma_phong(c.v.at(i), r), least);
-    }
+    for (int i = 0; i < lanes; ++i) shining += c.sigma.at(i) * faces_light(c.n_dot_l.at(i)) > least ? 1 : 0;
     return shining;
 }
 
-KREDA_BATCH_LOOP int find_sigma_blinn(int lanes, float least, LightingChannels& c) {
-    int shining = 0;
-    for (int i = 0; i < lanes; ++i) {
-        const glm::vec3 h = half_vector(c.l.at(i), c.v.at(i));
-        shining += set_sigma(c, i, sigma_blinn(c.n.at(i), h), least);
-    }
-    return shining;
+/// Is any highlight of the batch above 0? Up to Sigma = 2^(-127/h) the power is below 2^-126, which pow counts as 0.
+/// (0^0 = 1: a shininess of 0 lights everything that faces the light.)
+bool any_highlight(int lanes, float shininess, const LightingChannels& c) {
+    const float least = raster::exp2(-127.0f / shininess);
+    return shininess == 0.0f || lanes_with_highlight(lanes, least, c) > 0;
 }
 
-/// The highlight   Sigma^h, 0 on the side that faces away from the light.
-/// pow in two loops: the shorter a loop, the more points a processor has under way (a seventh faster).
-KREDA_BATCH_LOOP void raise_sigma(int lanes, float shininess, LightingChannels& c) {
-    const float h = shininess;
+/// The highlight   highlight_of(Sigma, n.l, m)
+/// Its pow in two loops: the shorter a loop, the more points a processor has under way (a seventh faster).
+KREDA_BATCH_LOOP void raise_sigma(int lanes, float h, LightingChannels& c) {
     raster::Channel high, low;
     for (int i = 0; i < lanes; ++i) {
         const raster::TwoFloats exponent = raster::log2_of_pow(c.sigma.at(i), h);
@@ -130,15 +129,11 @@ KREDA_BATCH_LOOP void add_phong_terms(int lanes, const PhongMaterial& material, 
               [&c](int i, const PhongMaterial& m) { return phong_terms(c.n_dot_l.at(i), c.highlight.at(i), m); });
 }
 
-/// Phong and Blinn-Phong. Up to Sigma = 2^(-127/h) the power is below 2^-126, which pow counts as 0; where no point of
-/// the batch exceeds it, nothing need be raised. (0^0 = 1: a shininess of 0 lights everything that faces the light.)
+/// Phong and Blinn-Phong: phong() and blinn_phong(), pass by pass.
 void add_highlights(int lanes, const Material& material, bool map, LightingChannels& c) {
-    const float h = material.phong.shininess;
-    const float least = raster::exp2(-127.0f / h);
-    const bool mirrors = material.model == ReflectionModel::phong;
-    const int shining = mirrors ? find_sigma_phong(lanes, least, c) : find_sigma_blinn(lanes, least, c);
-    if (shining > 0 || h == 0.0f)
-        raise_sigma(lanes, h, c);
+    find_sigma(lanes, material.model, c);
+    if (any_highlight(lanes, material.phong.shininess, c))
+        raise_sigma(lanes, material.phong.shininess, c);
     else
         no_highlight(lanes, c);
     add_phong_terms(lanes, material.phong, map, c);
@@ -192,9 +187,38 @@ KREDA_BATCH_LOOP void exp2_fog(const Fragments& f, int lanes, const LightingSetu
     fog_loop(f, lanes, setup, c, [=](float z) { return fog_exp2(z, density); });
 }
 
-KREDA_BATCH_LOOP void mix_with_fog(int lanes, const glm::vec3& fog_color, LightingChannels& c) {
-    const glm::vec3 c_f = fog_color;
+KREDA_BATCH_LOOP void mix_with_fog(int lanes, glm::vec3 c_f, LightingChannels& c) {
     for (int i = 0; i < lanes; ++i) c.radiance.set(i, mix_fog(c.fog.at(i), c.radiance.at(i), c_f));
+}
+
+/// What an earlier batch left in the channels of the formula's steps is not this point's.
+void forget_steps(LightingChannels& c) {
+    MicrofacetChannels& m = c.microfacet;
+    for (raster::Channel* step : {&c.sigma, &c.highlight, &m.n_dot_l, &m.n_dot_h, &m.v_dot_h, &m.sin2_h, &m.D, &m.V}) {
+        step->set(0, 0.0f);
+    }
+    m.F.set(0, glm::vec3(0.0f));
+}
+
+/// One point: the whole formula.
+void add_whole_reflection(const MaterialSetup& material, LightingChannels& c) {
+    forget_steps(c);
+    add_terms(c, 0, reflect(material_at(material, c, 0), c.n.at(0), c.l.at(0), c.v.at(0)));
+}
+
+void add_reflection_by_passes(int count, const MaterialSetup& setup, LightingChannels& c) {
+    const int lanes = lanes_for(count);
+    const PhongMaterial& m = setup.material.phong;
+    const bool map = setup.maps.diffuse.texture != nullptr;
+    switch (setup.material.model) {
+        case ReflectionModel::unlit: return;
+        case ReflectionModel::lambert: return add_lambert(lanes, m, map, c);
+        case ReflectionModel::phong:
+        case ReflectionModel::blinn_phong: return add_highlights(lanes, setup.material, map, c);
+        case ReflectionModel::ward: return add_ward(count, m, map, c);
+        case ReflectionModel::heidrich_seidel: return add_heidrich_seidel(count, m, map, c);
+        case ReflectionModel::cook_torrance: return add_cook_torrance(count, setup.cook_torrance, c);
+    }
 }
 
 }  // namespace
@@ -221,40 +245,42 @@ void start_lighting(const Fragments& fragments, const MaterialSetup& material, c
         if (material.maps.diffuse.texture) shine_by_map(lanes, material.material.phong.emission, channels);
         return;
     }
-    surface_directions(fragments, lanes, setup, channels);
+    surface_directions(fragments, lanes, setup.eye, channels);
     if (setup.orthographic) same_view_everywhere(lanes, -setup.forward, channels);
     if (material.map_needs.tangent) bend_normals(fragments, material.maps, channels);
     if (model == ReflectionModel::cook_torrance) find_viewing_angle(fragments.count, channels);
     if (needs_grain(material.material)) find_grain(fragments.count, material.material.phong, channels);
 }
 
-bool sample_light(const Fragments& fragments, const LightSetup& light, LightingChannels& channels) {
+void sample_light(const Fragments& fragments, const LightSetup& light, LightingChannels& channels) {
     const int lanes = lanes_for(fragments.count);
     switch (light.type) {
-        case LightType::directional: return sample_directional_light(lanes, light, channels) > 0;
-        case LightType::point: return sample_point_light(fragments, lanes, light, channels) > 0;
-        case LightType::spot: return sample_spot_light(fragments, lanes, light, channels) > 0;
+        case LightType::directional: return sample_directional_light(lanes, light, channels);
+        case LightType::point: return sample_point_light(fragments, lanes, light, channels);
+        case LightType::spot: return sample_spot_light(fragments, lanes, light, channels);
     }
-    return false;
+}
+
+bool any_faces_light(int count, const LightingChannels& channels) {
+    return lanes_facing_light(lanes_for(count), channels) > 0;
 }
 
 void shadow_light(int count, LightingChannels& channels) {
     shadow_irradiance(lanes_for(count), channels);
 }
 
-void add_reflection(int count, const MaterialSetup& setup, LightingChannels& c) {
-    const int lanes = lanes_for(count);
-    const PhongMaterial& m = setup.material.phong;
-    const bool map = setup.maps.diffuse.texture != nullptr;
-    switch (setup.material.model) {
-        case ReflectionModel::unlit: return;
-        case ReflectionModel::lambert: return add_lambert(lanes, m, map, c);
-        case ReflectionModel::phong:
-        case ReflectionModel::blinn_phong: return add_highlights(lanes, setup.material, map, c);
-        case ReflectionModel::ward: return add_ward(count, m, map, c);
-        case ReflectionModel::heidrich_seidel: return add_heidrich_seidel(count, m, map, c);
-        case ReflectionModel::cook_torrance: return add_cook_torrance(count, setup.cook_torrance, c);
-    }
+PointMaterial material_at(const MaterialSetup& setup, const LightingChannels& c, int i) {
+    PointMaterial material{setup.material.model, setup.material.phong, &setup.cook_torrance, {}};
+    if (setup.maps.diffuse.texture) material.phong.diffuse = c.m_D.at(i);
+    if (material.model == ReflectionModel::cook_torrance) material.surface = surface_at(c.microfacet, i);
+    return material;
+}
+
+void add_reflection(int count, const MaterialSetup& material, LeaveChannels leave, LightingChannels& channels) {
+    if (count == 1 && leave == LeaveChannels::only_of_batches)
+        add_whole_reflection(material, channels);
+    else
+        add_reflection_by_passes(count, material, channels);
 }
 
 void sum_terms(int count, LightingChannels& channels) {

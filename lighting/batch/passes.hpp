@@ -12,6 +12,7 @@
 #include "lighting/fog.hpp"
 #include "lighting/light.hpp"
 #include "lighting/material.hpp"
+#include "lighting/reflect.hpp"
 #include "raster/fragments.hpp"
 
 namespace kreda::lighting {
@@ -38,23 +39,34 @@ struct LightingSetup {
 };
 
 // The lecture's equation,  radiance = ambient + sum over lights of shadow (diffuse + specular),  is these in turn:
-// start_lighting; add_environment where there is one; for each light sample_light, shadow_light where it casts a
-// shadow, add_reflection; sum_terms. scene/render/shade.cpp runs them.
+// start_lighting; add_environment where there is one; for each light sample_light, and where any_faces_light
+// shadow_light (if it casts a shadow) and add_reflection; sum_terms. scene/render/shade.cpp runs them.
 
 /// What the lights will need: n, v, the material at every point; ambient = s_A m_A + m_E; nothing reflected yet.
 /// Reads fragments.position, fragments.normal, and what material.map_needs says.
 void start_lighting(const raster::Fragments& fragments, const MaterialSetup& material, const LightingSetup& setup,
                     LightingChannels& channels);
 
-/// l, irradiance and n.l of one light at every point. False: it shines on the back of them all (n.l <= 0) and adds
-/// nothing.
-bool sample_light(const raster::Fragments& fragments, const LightSetup& light, LightingChannels& channels);
+/// l, irradiance and n.l of one light at every point.
+void sample_light(const raster::Fragments& fragments, const LightSetup& light, LightingChannels& channels);
+
+/// Is that light worth adding here? False: it shines on the back of all points (n.l <= 0) and adds nothing.
+[[nodiscard]] bool any_faces_light(int count, const LightingChannels& channels);
 
 /// What a shadow leaves of that light:  irradiance = shadow x irradiance.
 void shadow_light(int count, LightingChannels& channels);
 
-/// Add what the material reflects of that light to diffuse and specular.
-void add_reflection(int count, const MaterialSetup& material, LightingChannels& channels);
+/// The material at point i of a batch, its maps read.
+[[nodiscard]] PointMaterial material_at(const MaterialSetup& material, const LightingChannels& channels, int i);
+
+/// Whether the steps of the formula leave their channels (sigma, highlight, D, V, F and their angles).
+enum class LeaveChannels {
+    always,          ///< somebody looks at them: a view, a picture of a stage
+    only_of_batches  ///< a batch of one point runs reflect(), whole, and leaves 0 there
+};
+
+/// Add what the material reflects of that light to diffuse and specular. The bits are the same either way.
+void add_reflection(int count, const MaterialSetup& material, LeaveChannels leave, LightingChannels& channels);
 
 /// radiance = ambient + diffuse + specular
 void sum_terms(int count, LightingChannels& channels);

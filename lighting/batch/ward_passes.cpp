@@ -12,8 +12,7 @@ namespace {
 
 using raster::lanes_for;
 
-KREDA_BATCH_LOOP void find_tangents(int lanes, const glm::vec3& unit_grain, LightingChannels& c) {
-    const glm::vec3 grain = unit_grain;
+KREDA_BATCH_LOOP void find_tangents(int lanes, glm::vec3 grain, LightingChannels& c) {
     for (int i = 0; i < lanes; ++i) c.t.set(i, tangent_of_grain(grain, c.n.at(i)));
 }
 

@@ -1,6 +1,5 @@
 #include "scene/render/shade.hpp"
 
-#include "scene/render/debug_pixel.hpp"
 #include "scene/render/shadow_pass.hpp"
 
 namespace kreda::scene {
@@ -24,12 +23,15 @@ void shade_points(const Frame& frame, const raster::Fragments& points, std::uint
     else if (!frame.plan.views.empty())
         show_constant_ao(points.count, surface, channels);
     if (surface.material.model != lighting::ReflectionModel::unlit) {
-        // A view or a debugger looks at a light's quantities even where it adds nothing.
-        const bool looked_at = !frame.plan.views.empty() || debug_pixel.x >= 0;
+        using enum lighting::LeaveChannels;
+        const bool has_views = !frame.plan.views.empty();
+        // A view, or whoever stops at one point, looks at a light's quantities even where it adds nothing.
+        const bool looked_at = has_views || points.count == 1;
         for (std::size_t k = 0; k < frame.lighting.lights.size(); ++k) {
-            if (!sample_light(points, frame.lighting.lights[k], channels) && !looked_at) continue;
+            sample_light(points, frame.lighting.lights[k], channels);
+            if (!looked_at && !any_faces_light(points.count, channels)) continue;
             if (find_shadow(frame, static_cast<int>(k), points, channels)) shadow_light(points.count, channels);
-            add_reflection(points.count, surface, channels);
+            add_reflection(points.count, surface, has_views ? always : only_of_batches, channels);
         }
     }
     sum_terms(points.count, channels);

@@ -21,9 +21,12 @@ std::shared_ptr<const raster::Texture> even_texture(int channels, glm::vec3 colo
 }
 
 /// Left half one value, right half another.
-std::shared_ptr<const raster::Texture> two_values(float left, float right) {
-    raster::Image image = raster::make_image(2, 1, 1);
-    image.values = {left, right};
+std::shared_ptr<const raster::Texture> two_values(float left, float right, int channels = 1) {
+    raster::Image image = raster::make_image(2, 1, channels);
+    for (int c = 0; c < channels; ++c) {
+        image.plane(c)[0] = left;
+        image.plane(c)[1] = right;
+    }
     return std::make_shared<raster::Texture>(raster::make_texture(image));
 }
 
@@ -51,7 +54,7 @@ Batch random_batch() {
 }
 
 /// Light the batch with one light.
-void light(Batch& batch, const Material& material) {
+void light(Batch& batch, const Material& material, LeaveChannels leave = LeaveChannels::always) {
     const std::vector<LightSetup> lights = {prepare(Light{})};
     LightingSetup setup;
     setup.eye = {0.0f, 0.0f, 5.0f};
@@ -61,7 +64,7 @@ void light(Batch& batch, const Material& material) {
     start_lighting(*batch.points, ready, setup, *batch.channels);
     for (const LightSetup& one : lights) {
         sample_light(*batch.points, one, *batch.channels);
-        add_reflection(batch.points->count, ready, *batch.channels);
+        add_reflection(batch.points->count, ready, leave, *batch.channels);
     }
     sum_terms(batch.points->count, *batch.channels);
 }
@@ -106,6 +109,32 @@ TEST_CASE("Maps of one value are the constants bit by bit with every model and f
             light(b, mapped);
             CHECK(same_radiance(a, b));
         }
+    }
+}
+
+TEST_CASE("A point in a batch of its own reads the maps as in a batch of many bit by bit with every model") {
+    for (const ReflectionModel model : kModels) {
+        CAPTURE(static_cast<int>(model));
+        Material material;
+        material.model = model;
+        material.maps.filter = TextureFilter::bilinear;
+        material.maps.diffuse.texture = material.maps.albedo.texture = two_values(0.2f, 0.9f, 3);
+        material.maps.metallic.texture = two_values(0.0f, 1.0f);
+        material.maps.roughness.texture = two_values(0.2f, 0.8f);
+        Batch many = random_batch();
+        light(many, material);
+        int wrong = 0;
+        for (int i = 0; i < kPoints; ++i) {
+            Batch one;
+            one.points->count = 1;
+            one.points->position.set(0, many.points->position.at(i));
+            one.points->normal.set(0, many.points->normal.at(i));
+            one.points->u.set(0, many.points->u.at(i));
+            one.points->v.set(0, many.points->v.at(i));
+            light(one, material, LeaveChannels::only_of_batches);
+            wrong += one.channels->radiance.at(0) != many.channels->radiance.at(i);
+        }
+        CHECK(wrong == 0);
     }
 }
 

@@ -127,7 +127,7 @@ void print_loop(const LoopCost& cost, double peak, double cache) {
         start_lighting(*points, setup, lighting, *channels);
         for (const lighting::LightSetup& one : lights) {
             sample_light(*points, one, *channels);
-            add_reflection(points->count, setup, *channels);
+            add_reflection(points->count, setup, lighting::LeaveChannels::only_of_batches, *channels);
         }
         sum_terms(points->count, *channels);
     });

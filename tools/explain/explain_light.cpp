@@ -194,7 +194,8 @@ void explain_light(const LitPoint& point, std::size_t k, const LightingChannels&
     const LightSetup& light = point.frame.lighting.lights[k];
     Section section = light_section(point, k, light);
     explain_sample(point, k, after, section);
-    const ExplainedTerms terms = explain_reflection(point.frame.plan.materials[point.material], after, section);
+    const lighting::ReflectedTerms terms =
+        explain_reflection(point.frame.plan.materials[point.material], after, section);
     const glm::vec3 s = after.irradiance.at(0);
     section.equation("L_D", "s ⊗ f_D", vector_text(s) + " ⊗ " + vector_text(terms.diffuse), s * terms.diffuse,
                      "diffuse light of this lamp");

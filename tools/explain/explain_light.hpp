@@ -33,16 +33,12 @@ void explain_bent_normal(const LitPoint& point, const lighting::LightingChannels
 void explain_environment(const LitPoint& point, const lighting::LightingChannels& c, Section& section);
 
 /// One light's terms by the point's reflection model, symbol by symbol, before they are multiplied by what the light
-/// sends. `after`: the channels once this light was added.
-struct ExplainedTerms {
-    glm::vec3 diffuse{0.0f};
-    glm::vec3 specular{0.0f};
-};
-[[nodiscard]] ExplainedTerms explain_reflection(const lighting::MaterialSetup& material,
-                                                const lighting::LightingChannels& after, Section& section);
+/// sends: what lighting::reflect() says. `after`: the channels once this light was added.
+[[nodiscard]] lighting::ReflectedTerms explain_reflection(const lighting::MaterialSetup& material,
+                                                          const lighting::LightingChannels& after, Section& section);
 
-/// The same for the microfacet model.
-[[nodiscard]] ExplainedTerms explain_microfacets(const lighting::CookTorranceSetup& setup,
-                                                 const lighting::LightingChannels& after, Section& section);
+/// The same for the microfacet model, whose terms are known.
+void explain_microfacets(const lighting::CookTorranceSetup& setup, const lighting::LightingChannels& after,
+                         const lighting::ReflectedTerms& terms, Section& section);
 
 }  // namespace kreda::tools

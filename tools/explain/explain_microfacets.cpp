@@ -4,6 +4,7 @@
 
 #include <glm/geometric.hpp>
 
+#include "lighting/batch/microfacet_passes.hpp"
 #include "lighting/microfacet_choices.hpp"
 #include "tools/explain/explain_light.hpp"
 
@@ -94,34 +95,29 @@ void explain_D_V_F(const CookTorranceSetup& setup, const MicrofacetChannels& m, 
 
 }  // namespace
 
-ExplainedTerms explain_microfacets(const CookTorranceSetup& setup, const lighting::LightingChannels& after,
-                                   Section& section) {
+void explain_microfacets(const CookTorranceSetup& setup, const lighting::LightingChannels& after,
+                         const lighting::ReflectedTerms& terms, Section& section) {
     const MicrofacetChannels& m = after.microfacet;
     explain_surface(setup, m, section);
     explain_angles(after, section);
     explain_D_V_F(setup, m, section);
-    lighting::ReflectedTerms terms =
+    const lighting::ReflectedTerms once =
         lighting::combine_terms(m.n_dot_l.at(0), m.D.at(0), m.V.at(0), m.F.at(0), m.albedo.at(0), m.metallic.at(0));
     const glm::vec3 transmitted = glm::clamp(1.0f - m.F.at(0), 0.0f, 1.0f);
     section.equation("k_d", "(1 - F)(1 - metallic)", vector_text(transmitted) + " · " + text(1.0f - m.metallic.at(0)),
                      lighting::diffuse_share(m.F.at(0), m.metallic.at(0)),
                      "what enters the surface and comes out again");
-    section.equation("f_D", "k_d c / π · (n·l)", "", terms.diffuse);
+    section.equation("f_D", "k_d c / π · (n·l)", "", once.diffuse);
     section.equation(
         "f_S", "D V F (n·l)",
         text(m.D.at(0)) + " · " + text(m.V.at(0)) + " · " + vector_text(m.F.at(0)) + " · " + text(m.n_dot_l.at(0)),
-        terms.specular);
-    if (setup.energy_compensation == EnergyCompensation::none) return {terms.diffuse, terms.specular};
+        once.specular);
+    if (setup.energy_compensation == EnergyCompensation::none) return;
 
-    lighting::MicrofacetSurface surface;
-    surface.f0 = m.f0.at(0);
-    surface.roughness = m.roughness.at(0);
-    const glm::vec3 further = compensation_term(setup, surface, m.n_dot_l.at(0), m.n_dot_v.at(0));
+    const glm::vec3 further = compensation_term(setup, surface_at(m, 0), m.n_dot_l.at(0), m.n_dot_v.at(0));
     section.equation("f_ms", "F_ms (1 - E(n·l))(1 - E(n·v)) / (π (1 - E_avg)) · (n·l)", "", further,
                      "Kulla and Conty: light that leaves after several bounces");
-    section.equation("f_S", "f_S + f_ms", vector_text(terms.specular) + " + " + vector_text(further),
-                     terms.specular + further);
-    return {terms.diffuse, terms.specular + further};
+    section.equation("f_S", "f_S + f_ms", vector_text(once.specular) + " + " + vector_text(further), terms.specular);
 }
 
 }  // namespace kreda::tools

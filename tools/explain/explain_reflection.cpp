@@ -3,11 +3,14 @@
 
 #include <glm/geometric.hpp>
 
+#include "lighting/batch/passes.hpp"
 #include "lighting/reflection.hpp"
 #include "lighting/ward.hpp"
 #include "tools/explain/explain_light.hpp"
 
 namespace kreda::tools {
+
+using lighting::ReflectedTerms;
 
 namespace {
 
@@ -40,8 +43,7 @@ void explain_highlight(const Directions& d, const PhongMaterial& m, float sigma,
                      result, faces ? "" : "n·l <= 0: no highlight on the dark side");
 }
 
-ExplainedTerms explain_phong(const Directions& d, const PhongMaterial& m, Section& section) {
-    const lighting::ReflectedTerms terms = lighting::phong(d.n, d.l, d.v, m);
+void explain_phong(const Directions& d, const PhongMaterial& m, const ReflectedTerms& terms, Section& section) {
     explain_diffuse(d, m, terms.diffuse, section);
     const glm::vec3 r = lighting::mirror_vector(d.n, d.l);
     section.equation("r", "2 (n·l) n - l",
@@ -50,11 +52,9 @@ ExplainedTerms explain_phong(const Directions& d, const PhongMaterial& m, Sectio
     const float sigma = lighting::sigma_phong(d.v, r);
     section.equation("Σ", "max(v·r, 0)", positive_text(d.v, r), sigma);
     explain_highlight(d, m, sigma, terms.specular, section);
-    return {terms.diffuse, terms.specular};
 }
 
-ExplainedTerms explain_blinn(const Directions& d, const PhongMaterial& m, Section& section) {
-    const lighting::ReflectedTerms terms = lighting::blinn_phong(d.n, d.l, d.v, m);
+void explain_blinn(const Directions& d, const PhongMaterial& m, const ReflectedTerms& terms, Section& section) {
     explain_diffuse(d, m, terms.diffuse, section);
     const glm::vec3 h = lighting::half_vector(d.l, d.v);
     section.equation("h", "(l + v) / |l + v|", vector_text(d.l + d.v) + " / " + number_text(glm::length(d.l + d.v)), h,
@@ -62,14 +62,11 @@ ExplainedTerms explain_blinn(const Directions& d, const PhongMaterial& m, Sectio
     const float sigma = lighting::sigma_blinn(d.n, h);
     section.equation("Σ", "max(n·h, 0)", positive_text(d.n, h), sigma);
     explain_highlight(d, m, sigma, terms.specular, section);
-    return {terms.diffuse, terms.specular};
 }
 
-ExplainedTerms explain_lambert(const Directions& d, const PhongMaterial& m, Section& section) {
-    const lighting::ReflectedTerms terms = lighting::lambert(d.n, d.l, m);
+void explain_lambert(const Directions& d, const PhongMaterial& m, const ReflectedTerms& terms, Section& section) {
     explain_diffuse(d, m, terms.diffuse, section);
     section.equation("f_S", "", "", terms.specular, "Lambert's surface has no highlight");
-    return {terms.diffuse, terms.specular};
 }
 
 void explain_lobe(const PhongMaterial& m, const char* formula, float f, float n_dot_l, const glm::vec3& result,
@@ -79,8 +76,7 @@ void explain_lobe(const PhongMaterial& m, const char* formula, float f, float n_
                      vector_text(m.specular) + " · π · " + number_text(f) + " · " + number_text(n_dot_l), result);
 }
 
-ExplainedTerms explain_ward(const Directions& d, const PhongMaterial& m, Section& section) {
-    const lighting::ReflectedTerms terms = lighting::ward(d.n, d.l, d.v, m);
+void explain_ward(const Directions& d, const PhongMaterial& m, const ReflectedTerms& terms, Section& section) {
     const lighting::MicrofacetAngles a = lighting::microfacet_angles(d.n, d.l, d.v);
     explain_diffuse(d, m, terms.diffuse, section);
     const float alpha = lighting::ward_alpha_from_shininess(m.shininess);
@@ -92,13 +88,11 @@ ExplainedTerms explain_ward(const Directions& d, const PhongMaterial& m, Section
                      a.sin2_h / (a.n_dot_h * a.n_dot_h));
     explain_lobe(m, "exp(-tan²θ_h / α²) / (4π α² √((n·l)(n·v)))", lighting::ward_isotropic(a, alpha), a.n_dot_l,
                  terms.specular, section);
-    return {terms.diffuse, terms.specular};
 }
 
 /// Ward's lobe with one width along the grain and another across.
-ExplainedTerms explain_brushed(const Directions& d, const PhongMaterial& m, Section& section) {
+void explain_brushed(const Directions& d, const PhongMaterial& m, const ReflectedTerms& terms, Section& section) {
     const glm::vec2 alpha = *m.ward_alpha;
-    const lighting::ReflectedTerms terms = lighting::ward_brushed(d.n, d.t, d.l, d.v, m, alpha);
     explain_diffuse(d, m, terms.diffuse, section);
     const glm::vec3 h = lighting::half_vector(d.l, d.v);
     const glm::vec3 b = glm::cross(d.n, d.t);
@@ -116,11 +110,9 @@ ExplainedTerms explain_brushed(const Directions& d, const PhongMaterial& m, Sect
     explain_lobe(m, "exp(-e) / (4π α_t α_b √((n·l)(n·v)))",
                  lighting::ward_anisotropic(d.n, d.t, b, d.l, d.v, alpha.x, alpha.y), lighting::positive_dot(d.n, d.l),
                  terms.specular, section);
-    return {terms.diffuse, terms.specular};
 }
 
-ExplainedTerms explain_threads(const Directions& d, const PhongMaterial& m, Section& section) {
-    const lighting::ReflectedTerms terms = lighting::heidrich_seidel(d.n, d.t, d.l, d.v, m);
+void explain_threads(const Directions& d, const PhongMaterial& m, const ReflectedTerms& terms, Section& section) {
     const float l_dot_t = glm::dot(d.l, d.t), v_dot_t = glm::dot(d.v, d.t);
     const float sin_l = lighting::sine_from_cosine(l_dot_t), sin_v = lighting::sine_from_cosine(v_dot_t);
     const float n_dot_l = lighting::positive_dot(d.n, d.l);
@@ -139,26 +131,28 @@ ExplainedTerms explain_threads(const Directions& d, const PhongMaterial& m, Sect
                      vector_text(m.specular) + " · " + number_text(mirror) + "^" + number_text(m.shininess) + " · " +
                          number_text(n_dot_l),
                      terms.specular);
-    return {terms.diffuse, terms.specular};
 }
 
 }  // namespace
 
-ExplainedTerms explain_reflection(const lighting::MaterialSetup& material, const lighting::LightingChannels& after,
+ReflectedTerms explain_reflection(const lighting::MaterialSetup& setup, const lighting::LightingChannels& after,
                                   Section& section) {
     const Directions d{after.n.at(0), after.l.at(0), after.v.at(0), after.t.at(0)};
-    PhongMaterial m = material.material.phong;
-    if (material.maps.diffuse.texture) m.diffuse = after.m_D.at(0);
-    switch (material.material.model) {
-        case ReflectionModel::unlit: return {};
-        case ReflectionModel::lambert: return explain_lambert(d, m, section);
-        case ReflectionModel::phong: return explain_phong(d, m, section);
-        case ReflectionModel::blinn_phong: return explain_blinn(d, m, section);
-        case ReflectionModel::ward: return m.ward_alpha ? explain_brushed(d, m, section) : explain_ward(d, m, section);
-        case ReflectionModel::heidrich_seidel: return explain_threads(d, m, section);
-        case ReflectionModel::cook_torrance: return explain_microfacets(material.cook_torrance, after, section);
+    const lighting::PointMaterial material = material_at(setup, after, 0);
+    const ReflectedTerms terms = lighting::reflect(material, d.n, d.l, d.v);
+    const PhongMaterial& m = material.phong;
+    switch (material.model) {
+        case ReflectionModel::unlit: break;
+        case ReflectionModel::lambert: explain_lambert(d, m, terms, section); break;
+        case ReflectionModel::phong: explain_phong(d, m, terms, section); break;
+        case ReflectionModel::blinn_phong: explain_blinn(d, m, terms, section); break;
+        case ReflectionModel::ward:
+            m.ward_alpha ? explain_brushed(d, m, terms, section) : explain_ward(d, m, terms, section);
+            break;
+        case ReflectionModel::heidrich_seidel: explain_threads(d, m, terms, section); break;
+        case ReflectionModel::cook_torrance: explain_microfacets(setup.cook_torrance, after, terms, section); break;
     }
-    return {};
+    return terms;
 }
 
 }  // namespace kreda::tools
