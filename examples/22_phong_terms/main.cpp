@@ -1,6 +1,6 @@
 // 22_phong_terms: ambient + diffuse + specular + emission, one picture each and their sum.
 // Page docs/22_phong_terms.md | After 21_lambert | New: phong(), mirror_vector(), ReflectedTerms
-// Break at: phong_terms | Look at: n_dot_l, highlight, m | Try: shininess 4, 32, 256
+// Break at: phong | Look at: n, l, v, m, then r, sigma, highlight | Try: shininess 4, 32, 256
 #include "examples/example.hpp"
 #include "examples/lit_scene.hpp"
 

@@ -1,6 +1,6 @@
 // 23_blinn_phong: the half vector for the mirror vector: the same exponent, the matched one, the difference.
 // Page docs/23_blinn_phong.md | After 22_phong_terms | New: blinn_phong(), half_vector()
-// Break at: sigma_blinn | Look at: n, h | Try: shininess 5, a light from the side
+// Break at: blinn_phong | Look at: n, l, v, then h, sigma | Try: shininess 5, a light from the side
 #include "examples/example.hpp"
 #include "examples/lit_scene.hpp"
 #include "lighting/reflection.hpp"

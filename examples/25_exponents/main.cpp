@@ -1,6 +1,6 @@
 // 25_exponents: the exponent h says how narrow the highlight is, from chalk to a billiard ball.
 // Page docs/25_exponents.md | After 22_phong_terms | New: PhongMaterial::shininess
-// Break at: phong_terms | Look at: highlight, m.shininess | Try: shininess 0 and 100000
+// Break at: phong | Look at: sigma, highlight, m.shininess | Try: shininess 0 and 100000
 #include "examples/example.hpp"
 #include "examples/lit_scene.hpp"
 

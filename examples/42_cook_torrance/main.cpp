@@ -1,6 +1,6 @@
 // 42_cook_torrance: balls from smooth to rough and from plastic to metal; and the light that a single bounce loses.
 // Page docs/42_cook_torrance.md | After 41_microfacets | New: cook_torrance(), prepare(), combine_terms(), Kulla-Conty
-// Break at: combine_terms | Look at: n_dot_l, D, V, F, k_d | Try: kPaint, kFurnaceLights 50, Distribution::beckmann
+// Break at: cook_torrance | Look at: n, l, v, m, D, V, F | Try: kPaint, kFurnaceLights 50, Distribution::beckmann
 
 #include "examples/example.hpp"
 #include "examples/lit_scene.hpp"

@@ -90,9 +90,9 @@ def check_save(failures):
 
 
 def check_steps(failures):
-    """`step` goes from the batch's loop into the formula, not into GLM or a channel."""
+    """`step` goes from the whole formula into its steps, not into GLM."""
     expect(failures, "delete", "")
-    expect(failures, "break find_sigma_blinn", "Breakpoint")
+    expect(failures, "break blinn_phong", "Breakpoint")
     expect(failures, "pixel 48 40", "shaded next")
     say("continue")
     for _ in range(12):
