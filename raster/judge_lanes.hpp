@@ -62,6 +62,6 @@ void fetch_corners(const ScreenVertex* screen, const std::uint32_t* index, int c
 
 /// Judge the triangles and look closer at them. Returns false if none of them is drawn or needs clipping: then there
 /// are no tiles.
-bool judge_triangles(int count, CullMode cull, const Viewport& viewport, const TileGrid& grid, JudgeLanes& lanes);
+bool judge_triangles(int count, CullMode cull, Viewport viewport, TileGrid grid, JudgeLanes& lanes);
 
 }  // namespace kreda::raster

@@ -74,6 +74,6 @@ inline glm::vec3 irradiance_of_sh9(const Sh9& sh, const glm::vec3& n) {
 }
 
 /// The same for a batch.
-void irradiance_of_sh9(const Sh9& sh, int lanes, const raster::Channel3& n, raster::Channel3& E);
+void irradiance_of_sh9(Sh9 sh, int lanes, const raster::Channel3& n, raster::Channel3& E);
 
 }  // namespace kreda::lighting

@@ -38,7 +38,7 @@ glm::vec3 radiance_from(const StageRow& row, const glm::vec3& d) {
 }
 
 glm::vec3 irradiance(const StageRow& row, const glm::vec3& n, int samples) {
-    const lighting::Frame frame = lighting::frame_around(n);
+    const auto frame = lighting::frame_around(n);
     glm::vec3 sum(0.0f);
     for (int i = 0; i < samples; ++i) {
         sum += radiance_from(row, to_world(frame, lighting::cosine_direction(lighting::hammersley(i, samples))));
@@ -47,12 +47,12 @@ glm::vec3 irradiance(const StageRow& row, const glm::vec3& n, int samples) {
 }
 
 glm::vec3 prefiltered(const StageRow& row, const glm::vec3& n, float alpha, int samples) {
-    const lighting::Frame frame = lighting::frame_around(n);
+    const auto frame = lighting::frame_around(n);
     glm::vec3 sum(0.0f);
     float weights = 0.0f;
     for (int i = 0; i < samples; ++i) {
         const glm::vec3 h = to_world(frame, lighting::ggx_half_vector(lighting::hammersley(i, samples), alpha));
-        const glm::vec3 l = lighting::mirrored(n, h);
+        const glm::vec3 l = lighting::mirror_vector(h, n);
         const float n_dot_l = glm::dot(n, l);
         if (n_dot_l <= 0.0f) continue;
         sum += n_dot_l * radiance_from(row, l);
@@ -72,7 +72,7 @@ float mip_level(float density, int samples, int width) {
 glm::vec3 shade(const StageRow& row) {
     const glm::vec3 n = row.vec3("n");
     const int samples = static_cast<int>(row.integer("samples"));
-    const glm::vec3 r = lighting::mirrored(row.vec3("v"), n);
+    const glm::vec3 r = lighting::mirror_vector(n, row.vec3("v"));
     return 0.5f * raster::kInvPi * irradiance(row, n, samples) +
            0.5f * prefiltered(row, r, row.number("alpha"), samples);
 }
