@@ -8,14 +8,15 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// Names of what stands beside a path that is not there.
+/// Names of the files beside a path that is not there.
 std::vector<std::string> neighbours(const fs::path& path) {
     std::vector<std::string> names;
     std::error_code failed;
     const fs::path folder = path.parent_path().empty() ? fs::path(".") : path.parent_path();
     for (fs::directory_iterator it(folder, failed), end; !failed && it != end && names.size() < 500;
          it.increment(failed)) {
-        names.push_back(it->path().filename().string());
+        std::error_code unknown;
+        if (!it->is_directory(unknown)) names.push_back(it->path().filename().string());
     }
     return names;
 }

@@ -69,7 +69,8 @@ void read_map(const Value& key, const lighting::MapUse& use, const std::string& 
 void read_bump(const Value& table, const std::string& folder, lighting::Material& material,
                std::vector<std::string>& warnings) {
     const Value* const bump = find(table, "bump_map");
-    if (const Value* scale = find(table, "bump_scale"); scale && !bump) {
+    const Value* const scale = find(table, "bump_scale");
+    if (scale && !bump && material.maps.bump_scale != lighting::MaterialMaps{}.bump_scale) {
         throw UserError(scale->place, "'bump_scale' in [[material]] needs 'bump_map', the heights that it scales");
     }
     if (!bump) return;

@@ -39,13 +39,13 @@ TEST_CASE("view warnings: what lies beside the picture is said, with the way to 
     const std::string beside =
         "everything lies beside what the camera sees: the picture is empty; its middle is at "
         "camera.target = [3, 0, -1]";
-    for (const char* target : {"[0, 0, 0]", "[0, 5, 1]", "[-5, 0, 4]"}) {
+    for (const char* target : {"[0, 0, 0]", "[0, 5, 1]", "[-5, 0, -5]"}) {
         const std::string scene =
-            ball_seen_from("position = [0, 0, 5]\nvertical_fov = 20\ntarget = " + std::string(target) + "\n");
+            ball_seen_from("position = [0, 0, 5]\nvertical_fov = 10\ntarget = " + std::string(target) + "\n");
         CAPTURE(scene);
         CHECK(warns(scene, beside));
     }
-    CHECK(warnings_of(ball_seen_from("position = [0, 0, 5]\nvertical_fov = 20\ntarget = [3, 0, -1]\n"))
+    CHECK(warnings_of(ball_seen_from("position = [0, 0, 5]\nvertical_fov = 10\ntarget = [3, 0, -1]\n"))
               .empty());  // as advised
     CHECK(warnings_of(ball_seen_from("position = [0, 0, 5]\nvertical_fov = 40\ntarget = [0, 0, -1]\n")).empty());
     CHECK(warnings_of(ball_seen_from("position = [3, 0, -1]\ntarget = [4, 0, 0]\n")).empty());  // from within
