@@ -1,5 +1,5 @@
 // Every key of a scene file, once: what may be written, what it means, what holds without it.
-// The reader checks files against this table and `kreda render --help-scene` prints it.
+// The reader checks files against this table and `kreda keys` prints it.
 #pragma once
 
 #include <limits>
