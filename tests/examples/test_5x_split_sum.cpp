@@ -301,7 +301,7 @@ void check_line(const std::string& name, const scene::EnvironmentSettings& envir
 
 }  // namespace
 
-TEST_CASE("54_split_sum: the table of errors" * doctest::skip()) {  // half a minute: run with --no-skip
+TEST_CASE("54_split_sum: the table of errors" * doctest::skip()) {  // some minutes: run with --no-skip
     check_line("gradient", built_in_sky(lighting::Sky::gradient));
     check_line("studio", built_in_sky(lighting::Sky::studio));
     check_line("sunset", built_in_sky(lighting::Sky::sunset));
