@@ -231,6 +231,11 @@ TEST_CASE("53_brdf_map: map and closed forms miss quadrature by as much as the p
     CHECK(rounds_to(of_map.largest, map_row.at(1)));
     CHECK(rounds_to(of_fit.mean, fit_row.at(0)));
     CHECK(rounds_to(of_fit.largest, fit_row.at(1)));
+    const lighting::BrdfTerms grazing = brdf_by_quadrature(0.05, 0.25, 256);
+    CAPTURE(grazing.scale);
+    CAPTURE(grazing.bias);
+    CHECK(rounds_to(double{grazing.scale}, quoted_number("53_brdf_map", "grazing_A")));
+    CHECK(rounds_to(double{grazing.bias}, quoted_number("53_brdf_map", "grazing_B")));
     CAPTURE(of_karis.mean);
     CAPTURE(of_hirvonen.mean);
     CAPTURE(of_schlick.largest);
