@@ -250,7 +250,7 @@ TEST_CASE("mesh file: parts of different materials share no vertex") {
 TEST_CASE("mesh file: several materials in several files with blanks in their names") {
     const TempFolder folder;
     folder.write("red and blue.mtl", "newmtl dark red\nKd 1 0 0\nnewmtl blue\nKd 0 0 1\n");
-    folder.write("b.mtl", "newmtl blue\nKd 9 9 9\nnewmtl Material #25\nKd 0 1 0\n");
+    folder.write("b.mtl", "newmtl blue\nKd .9 .9 .9\nnewmtl Material #25\nKd 0 1 0\n");
     const LoadedMesh loaded = load_mesh_file(folder.write(
         "a.obj",
         "mtllib red and blue.mtl\nmtllib b.mtl absent.mtl\nv 0 0 0\nv 1 0 0\nv 0 1 0\nusemtl Material #25\nf 1 2 3\n"
