@@ -26,6 +26,7 @@ TEST_CASE("pages: numbers worked out in a sentence are what the sentence works o
     };
     const double z2 = 1.0 - 0.25 * 0.25;  // 25: n_z^2 a quarter of the radius outward
     const Worked worked[] = {
+        {"13_perspective", "scale", 5.98183e-11 * 0.368871},
         {"16_antialiasing", "mean", (0.887923 + 3.0 * 0.0144438) / 4.0},
         {"17_textures", "blend", (1.0 - 0.170706) * 0.0556363 + 0.170706 * 0.144179},
         {"20_lights", "cos_outer", std::cos(32.0 * pi / 180.0)},
@@ -42,6 +43,7 @@ TEST_CASE("pages: numbers worked out in a sentence are what the sentence works o
         {"44_materials", "as_srgb", double{kreda::raster::linear_from_srgb(82.0f / 255.0f)}},
         {"45_other_models", "steps", std::pow(0.5 / 0.08, 2.0)},
         {"61_acne_and_bias", "biased", 1.06657 - 2.0 * 0.00311015 - 0.000769005},
+        {"63_soft_shadows", "penumbra", 0.2 * (1.17371 - 0.0904759)},
         {"65_shadow_volumes", "sheets", std::fmod(300.0, 256.0)},
         {"70_hdr_tone_mapping", "lamp", 60.0 / (1.0 + 60.0)},
         {"71_gamma", "encoded", double{kreda::raster::srgb_from_linear(0.5f)}},
