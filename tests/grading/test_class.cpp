@@ -170,6 +170,30 @@ TEST_CASE("class: a killed run leaves no process and goes on where it was") {
     CHECK(read_result_json(bytes_of(out + "/s1/result.json"), "s1").result.points > 0.0);
 }
 
+TEST_CASE("class: the script for GNU parallel grades each once and again none") {
+    if (!fs::exists("/usr/bin/parallel")) {
+        MESSAGE("SKIPPED: GNU parallel is not installed");
+        return;
+    }
+    const TempFolder folder;
+    for (const char* name : {"anna b", "it's", "c"})
+        folder.write("class/" + std::string(name) + "/student.cpp", solution() + "// " + name + "\n");
+    const std::vector<std::string> command = {"KREDA=" KREDA_PROGRAM,
+                                              std::string(KREDA_SOURCE_DIR) + "/tools/grade/cluster/grade_parallel.sh",
+                                              folder.file("class"),
+                                              kA3 + "/rubric.toml",
+                                              folder.file("out"),
+                                              "--formats",
+                                              "none"};
+    const Outcome first = run_program("/usr/bin/env", command, folder.path.string());
+    CAPTURE(first.err);
+    CHECK(first.exit_code == 0);
+    CHECK(first.out == "3 submissions: 0 graded now, 3 before\n");  // by parallel, then the overview
+    const auto written = fs::last_write_time(folder.file("out/c/result.json"));
+    CHECK(run_program("/usr/bin/env", command, folder.path.string()).out == first.out);
+    CHECK(fs::last_write_time(folder.file("out/c/result.json")) == written);
+}
+
 TEST_CASE("class of hostile submissions: each has 0 points and the others theirs" * doctest::skip()) {
     // CTest runs it by itself ("grading: a class of hostile submissions"): it takes a minute or two.
     const TempFolder folder;
