@@ -65,13 +65,17 @@ glm::vec3 shade_pixel(const StageRow& row) {
     return glm::vec3(0.0f);
 }
 
+/// Corners on the screen are clockwise as they are seen; the course's are counter-clockwise.
+constexpr std::size_t kOrder[3] = {0, 2, 1};
+
 void add_corners(TableBuilder& builder, const SceneRecord& record, const SeenPoint& p, bool with_normals) {
     const raster::VertexStreams& streams = record.frame.buffers.streams;
     const auto& vertex = p.cover.triangle.vertex;
     const char* const places[] = {"a", "b", "c"};
     const char* const normals[] = {"n_a", "n_b", "n_c"};
-    for (std::size_t i = 0; i < 3; ++i) builder.add(places[i], streams.position_world[vertex[i]]);
-    for (std::size_t i = 0; i < 3 && with_normals; ++i) builder.add(normals[i], streams.normal_world[vertex[i]]);
+    for (std::size_t i = 0; i < 3; ++i) builder.add(places[i], streams.position_world[vertex[kOrder[i]]]);
+    for (std::size_t i = 0; i < 3 && with_normals; ++i)
+        builder.add(normals[i], streams.normal_world[vertex[kOrder[i]]]);
 }
 
 void add_lit(TableBuilder& builder, const SceneRecord& record, const SeenPoint& p) {
@@ -114,7 +118,7 @@ void record_a4(const SceneRecord& record, std::vector<StageTable>& tables) {
         for (const SeenPoint& p : picture ? record.points : some_points(record, 200)) {
             if (picture) rows.add("frequency", static_cast<double>(record.scene().shading.frequency));
             add_corners(rows, record, p, true);
-            rows.add("w", p.weights);
+            rows.add("w", glm::vec3(p.weights[0], p.weights[2], p.weights[1]));
             add_lit(rows, record, p);
             rows.end_row(p.pixel);
         }

@@ -11,8 +11,9 @@ namespace {
 
 /// Share of the rows that may differ between two answers that count as the same.
 constexpr double kSameShare = 0.002;
-/// A variant that leaves more of the error unexplained is no explanation.
+/// A variant that leaves more of the error unexplained is no explanation; two mistakes explain much by chance.
 constexpr double kMostMisfit = 0.12;
+constexpr double kMostMisfitOfPair = 0.04;
 /// The next mistake must leave this many times as much.
 constexpr double kClearlyBetter = 2.0;
 
@@ -62,15 +63,30 @@ struct Facts {
     std::vector<bool> wrong;                ///< one a table: answered, and wrong
 };
 
-/// Does the variant answer as the submission in every table that is answered? `wrong_only`: in those that are wrong;
-/// elsewhere the submission is right, and may have its mistake in another function.
+/// Which tables must be the same, from strict to lenient: all; those that are wrong (what the variant has wrong
+/// besides, the submission may do elsewhere); the pictures (it may do even the wrong thing elsewhere).
+enum class Demand { all, wrong, pictures };
+
+/// One and the same answer in every row is no evidence: many mistakes leave a black picture.
+bool says_something(const StageTable& answers) {
+    for (const StageColumn& c : answers.columns) {
+        for (std::size_t i = c.components; i < c.values.size(); ++i) {
+            if (c.values[i] != c.values[i % c.components] && std::isfinite(c.values[i])) return true;
+        }
+    }
+    return false;
+}
+
+/// Does the variant answer as the submission, as far as demanded, and is anything explained by that?
 bool is_same(const CaseSet& cases, const Facts& facts, const Answers& answers, const std::vector<StageTable>& variant,
-             bool wrong_only) {
+             Demand demand) {
     bool explains = false;
     for (std::size_t i = 0; i < cases.inputs.size(); ++i) {
-        if (!is_answered(answers.tables[i]) || (wrong_only && !facts.wrong[i])) continue;
+        if (!is_answered(answers.tables[i])) continue;
+        if (demand == Demand::wrong && !facts.wrong[i]) continue;
+        if (demand == Demand::pictures && !facts.stage[i]->picture) continue;
         if (!same_answers(*facts.stage[i], cases.inputs[i], answers.tables[i], variant[i], kSameShare)) return false;
-        explains = explains || facts.wrong[i];
+        explains = explains || (facts.wrong[i] && (demand == Demand::all || says_something(answers.tables[i])));
     }
     return explains;
 }
@@ -93,10 +109,10 @@ double misfit_over(const CaseSet& cases, const Facts& facts, const Answers& answ
 
 /// The first variant, singles before pairs, that is the same.
 bool find_same(const CaseSet& cases, const Facts& facts, const Answers& answers, const Catalogue& catalogue,
-               bool wrong_only, Diagnosis& diagnosis) {
+               Demand demand, Diagnosis& diagnosis) {
     for (std::size_t k = 0; k < catalogue.variants.size(); ++k) {
         if (catalogue.variants[k].mistakes.empty()) continue;
-        if (!is_same(cases, facts, answers, catalogue.answers[k], wrong_only)) continue;
+        if (!is_same(cases, facts, answers, catalogue.answers[k], demand)) continue;
         diagnosis = {Diagnosis::Kind::exactly, catalogue.variants[k].mistakes, 0.0};
         return true;
     }
@@ -118,8 +134,9 @@ void find_nearest(const CaseSet& cases, const Facts& facts, const Answers& answe
         fits.push_back({misfit + 0.01 * static_cast<double>(count), k});
     }
     std::sort(fits.begin(), fits.end(), [](const Fit& a, const Fit& b) { return a.misfit < b.misfit; });
-    if (fits.empty() || fits[0].misfit > kMostMisfit) return;
+    if (fits.empty()) return;
     const std::vector<std::size_t>& best = catalogue.variants[fits[0].variant].mistakes;
+    if (fits[0].misfit > (best.size() == 1 ? kMostMisfit : kMostMisfitOfPair)) return;
     for (const Fit& other : fits) {
         const std::vector<std::size_t>& named = catalogue.variants[other.variant].mistakes;
         const bool shares = std::any_of(best.begin(), best.end(), [&](std::size_t m) {
@@ -158,8 +175,9 @@ Diagnosis diagnose(const Rubric& rubric, const CaseSet& cases, const Answers& an
         diagnosis.kind = Diagnosis::Kind::right;
         return diagnosis;
     }
-    if (find_same(cases, facts, answers, catalogue, false, diagnosis)) return diagnosis;
-    if (find_same(cases, facts, answers, catalogue, true, diagnosis)) return diagnosis;
+    for (const Demand demand : {Demand::all, Demand::wrong, Demand::pictures}) {
+        if (find_same(cases, facts, answers, catalogue, demand, diagnosis)) return diagnosis;
+    }
     find_nearest(cases, facts, answers, catalogue, diagnosis);
     return diagnosis;
 }

@@ -132,7 +132,7 @@ std::vector<std::vector<StageTable>> answers_of_variants(const Rubric& rubric, c
     const fs::path built = grade_cache(rubric) / ("variants-" + name);
     make_folder_once(built, [&](const fs::path& folder) {
         write_text(folder / "variants.cpp", source);
-        run_trusted({"/usr/bin/g++", "-std=c++20", "-DGLM_FORCE_XYZW_ONLY", "-O0", "-w", "-ffp-contract=off", "-I",
+        run_trusted({"/usr/bin/g++", "-std=c++20", "-DGLM_FORCE_XYZW_ONLY", "-O1", "-w", "-ffp-contract=off", "-I",
                      files.harness.parent_path().string(), (folder / "variants.cpp").string(), "-o",
                      (folder / "program").string()});
     });

@@ -110,6 +110,8 @@ bool ask_light(Source& s, VivaQuestion& q) {
         const StageTable& out = s.answers.tables[i];
         if (input.find("l") == nullptr || input.pixel.empty()) continue;
         const StageColumn& column = out.columns.back();
+        const auto is_amount = [](double v) { return v >= 0.0; };  // of light; directions have no greatest one
+        if (!std::all_of(column.values.begin(), column.values.end(), is_amount)) continue;
         const glm::ivec2 pixel = input.pixel[s.pick(input.rows)];
         std::vector<std::size_t> rows;
         for (std::size_t row = 0; row < input.rows; ++row) {
