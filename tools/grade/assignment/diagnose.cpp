@@ -12,7 +12,7 @@ namespace {
 /// Share of the rows that may differ between two answers that count as the same.
 constexpr double kSameShare = 0.002;
 /// A variant that leaves more of the error unexplained is no explanation; two mistakes explain much by chance.
-constexpr double kMostMisfit = 0.12;
+constexpr double kMostMisfit = 0.17;
 constexpr double kMostMisfitOfPair = 0.04;
 /// The next mistake must leave this many times as much.
 constexpr double kClearlyBetter = 2.0;
@@ -139,11 +139,13 @@ void find_nearest(const CaseSet& cases, const Facts& facts, const Answers& answe
     std::sort(fits.begin(), fits.end(), [](const Fit& a, const Fit& b) { return a.misfit < b.misfit; });
     if (fits.empty()) return;
     const std::vector<std::size_t>& best = catalogue.variants[fits[0].variant].mistakes;
-    const auto shares = [&](const Fit& fit) {
+    // More mistakes than the best has fit better by chance: they are no rivals.
+    const auto is_no_rival = [&](const Fit& fit) {
         const std::vector<std::size_t>& named = catalogue.variants[fit.variant].mistakes;
+        if (named.size() > best.size()) return true;
         return std::find_first_of(best.begin(), best.end(), named.begin(), named.end()) != best.end();
     };
-    const auto next = std::find_if_not(fits.begin(), fits.end(), shares);
+    const auto next = std::find_if_not(fits.begin(), fits.end(), is_no_rival);
     diagnosis.misfit = fits[0].misfit;
     diagnosis.next_misfit = next == fits.end() ? 1.0 : next->misfit;
     if (diagnosis.misfit > (best.size() == 1 ? kMostMisfit : kMostMisfitOfPair)) return;
