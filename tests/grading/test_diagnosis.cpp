@@ -53,7 +53,7 @@ TEST_CASE("mistakes that were never seen are named right or not at all") {
             tally.right += same_names(found, expected) ? 1 : 0;
             if (!same_names(found, expected)) {
                 MESSAGE(folder << ": " << expected << " (" << unseen[i].says << ") looks like " << found << ", misfit "
-                               << d.misfit);
+                               << d.misfit << ", next " << d.next_misfit);
             }
         }
     }

@@ -302,7 +302,7 @@ std::string name_of(BoxTier tier) {
 std::string describe(const BoxOutcome& outcome, const BoxLimits& limits) {
     std::ostringstream text;
     switch (outcome.end) {
-        case End::exited: text << "exit code " << outcome.code; break;
+        case End::exited: text << "ended with exit code " << outcome.code; break;
         case End::signalled:
             text << "was ended by signal " << outcome.code << " (" << strsignal(outcome.code) << ")";
             break;

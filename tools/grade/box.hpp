@@ -54,8 +54,8 @@ struct BoxOutcome {
 /// "bubblewrap", "landlock", "unsafe"
 [[nodiscard]] std::string name_of(BoxTier tier);
 
-/// "exit code 3", "was ended by signal 11 (Segmentation fault)", "took longer than 10 s", ...; needs the limits to
-/// name.
+/// "ended with exit code 3", "was ended by signal 11 (Segmentation fault)", "took longer than 10 s", ...; needs the
+/// limits to name.
 [[nodiscard]] std::string describe(const BoxOutcome& outcome, const BoxLimits& limits);
 
 /// A new folder for boxed work in the system's temporary folder, which goes away with the object, whatever a student's

@@ -1,8 +1,8 @@
 // Is this the grader, or the student's own run? Nothing around tells: the same few variables, the same box.
+#include <unistd.h>
 #include <cstdio>
 #include <ctime>
 #include <string>
-#include <unistd.h>
 extern char** environ;
 float attack() {
     for (char** variable = environ; *variable; ++variable) {

@@ -5,4 +5,6 @@
 #include "../../teacher/solution.cpp"
 #endif
 #include "/etc/passwd"
-float attack() { return 0.0f; }
+float attack() {
+    return 0.0f;
+}

@@ -1,7 +1,7 @@
 // 10 GB into files that are each within the limit.
+#include <signal.h>
 #include <cstdio>
 #include <cstring>
-#include <signal.h>
 static char part[1 << 20];
 float attack() {
     signal(SIGXFSZ, SIG_IGN);

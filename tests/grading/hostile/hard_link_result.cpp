@@ -1,5 +1,5 @@
-#include <cstdio>
 #include <unistd.h>
+#include <cstdio>
 static const int done = [] {
     unlink("outputs.bin");
     link(SECRET, "outputs.bin");
@@ -7,4 +7,6 @@ static const int done = [] {
     _exit(0);
     return 0;
 }();
-float attack() { return float(done); }
+float attack() {
+    return float(done);
+}

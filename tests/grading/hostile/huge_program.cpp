@@ -1,3 +1,5 @@
 // A program file of gigabytes.
 static char a[3u << 30] = {1};
-float attack() { return float(a[12345]); }
+float attack() {
+    return float(a[12345]);
+}

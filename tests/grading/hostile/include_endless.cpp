@@ -1,3 +1,5 @@
 // A file without an end.
 #include "/dev/zero"
-float attack() { return 0.0f; }
+float attack() {
+    return 0.0f;
+}

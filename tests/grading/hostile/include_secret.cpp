@@ -2,4 +2,6 @@
 #if __has_include(SECRET)
 #include SECRET
 #endif
-float attack() { return 0.0f; }
+float attack() {
+    return 0.0f;
+}

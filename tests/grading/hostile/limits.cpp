@@ -1,8 +1,8 @@
 // Raise one's own limits, lower the grader's.
-#include <initializer_list>
-#include <cstdio>
 #include <sys/resource.h>
 #include <unistd.h>
+#include <cstdio>
+#include <initializer_list>
 float attack() {
     const rlimit most{RLIM_INFINITY, RLIM_INFINITY}, least{0, 0};
     for (const int resource : {RLIMIT_CPU, RLIMIT_AS, RLIMIT_FSIZE, RLIMIT_NPROC}) {

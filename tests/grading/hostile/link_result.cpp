@@ -6,4 +6,6 @@ static const int done = [] {
     _exit(0);
     return 0;
 }();
-float attack() { return float(done); }
+float attack() {
+    return float(done);
+}

@@ -1,8 +1,8 @@
 // Read and write the memory of the process above.
-#include <cstdio>
 #include <sys/ptrace.h>
 #include <sys/uio.h>
 #include <unistd.h>
+#include <cstdio>
 float attack() {
     char text[64];
     iovec here{text, sizeof text}, there{reinterpret_cast<void*>(0x400000), sizeof text};

@@ -8,4 +8,6 @@
 #define G F F F F F F F F F F F F F F F F
 #define H G G G G G G G G G G G G G G G G
 static const char huge[] = H;
-float attack() { return float(sizeof huge); }
+float attack() {
+    return float(sizeof huge);
+}

@@ -1,6 +1,6 @@
-#include <cstdio>
 #include <fcntl.h>
 #include <unistd.h>
+#include <cstdio>
 float attack() {
     for (int i = 0; i < 1000000; ++i) {
         char name[32];

@@ -1,9 +1,9 @@
 // Become root in a namespace of one's own and mount something.
-#include <cstdio>
 #include <sched.h>
 #include <sys/mount.h>
 #include <sys/syscall.h>
 #include <unistd.h>
+#include <cstdio>
 float attack() {
     if (unshare(CLONE_NEWUSER | CLONE_NEWNS) == 0) std::puts("leak: unshare");
     if (mount("none", ".", "tmpfs", 0, nullptr) == 0) std::puts("leak: mount");

@@ -1,10 +1,10 @@
 #include <arpa/inet.h>
-#include <cstdio>
-#include <cstring>
 #include <netinet/in.h>
 #include <sys/socket.h>
 #include <sys/un.h>
 #include <unistd.h>
+#include <cstdio>
+#include <cstring>
 float attack() {
     if (socket(AF_INET, SOCK_STREAM, 0) >= 0) std::puts("leak: inet");
     if (socket(AF_INET6, SOCK_DGRAM, 0) >= 0) std::puts("leak: inet6");

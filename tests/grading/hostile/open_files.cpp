@@ -1,7 +1,7 @@
 // Files that the grader left open, and what /proc tells of it.
-#include <cstdio>
 #include <fcntl.h>
 #include <unistd.h>
+#include <cstdio>
 static void show(const char* path) {
     char text[4096];
     const int file = open(path, O_RDONLY);

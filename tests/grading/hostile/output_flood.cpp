@@ -1,6 +1,6 @@
 // 10 GB on the standard output.
-#include <cstring>
 #include <unistd.h>
+#include <cstring>
 static char part[1 << 16];
 float attack() {
     std::memset(part, 'x', sizeof part);

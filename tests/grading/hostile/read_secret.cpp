@@ -1,7 +1,7 @@
-#include <cstdio>
 #include <fcntl.h>
 #include <sys/syscall.h>
 #include <unistd.h>
+#include <cstdio>
 static void show(int file) {
     char text[4096];
     const ssize_t size = file >= 0 ? read(file, text, sizeof text) : -1;

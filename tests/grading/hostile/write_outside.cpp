@@ -1,8 +1,8 @@
-#include <initializer_list>
-#include <cstdio>
 #include <fcntl.h>
 #include <sys/stat.h>
 #include <unistd.h>
+#include <cstdio>
+#include <initializer_list>
 float attack() {
     for (const char* path : {OUTSIDE "/mine", "/tmp/kreda_hostile", "/var/tmp/kreda_hostile", "/dev/shm/kreda_hostile",
                              "/kreda_hostile", "/usr/kreda_hostile", "/etc/kreda_hostile", "../kreda_hostile"}) {

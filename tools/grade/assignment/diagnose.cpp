@@ -12,7 +12,7 @@ namespace {
 /// Share of the rows that may differ between two answers that count as the same.
 constexpr double kSameShare = 0.002;
 /// A variant that leaves more of the error unexplained is no explanation; two mistakes explain much by chance.
-constexpr double kMostMisfit = 0.12;
+constexpr double kMostMisfit = 0.17;
 constexpr double kMostMisfitOfPair = 0.04;
 /// The next mistake must leave this many times as much.
 constexpr double kClearlyBetter = 2.0;
@@ -67,9 +67,11 @@ struct Facts {
 /// besides, the submission may do elsewhere); the pictures (it may do even the wrong thing elsewhere).
 enum class Demand { all, wrong, pictures };
 
-/// One and the same answer in every row is no evidence: many mistakes leave a black picture.
-bool says_something(const StageTable& answers) {
-    for (const StageColumn& c : answers.columns) {
+/// One and the same wrong answer in every row is no evidence: many mistakes leave a black picture.
+bool says_something(const StageTable& answers, const StageTable& expected) {
+    for (std::size_t k = 0; k < answers.columns.size(); ++k) {
+        const StageColumn& c = answers.columns[k];
+        if (c.values == expected.columns[k].values) continue;
         for (std::size_t i = c.components; i < c.values.size(); ++i) {
             if (c.values[i] != c.values[i % c.components] && std::isfinite(c.values[i])) return true;
         }
@@ -86,7 +88,8 @@ bool is_same(const CaseSet& cases, const Facts& facts, const Answers& answers, c
         if (demand == Demand::wrong && !facts.wrong[i]) continue;
         if (demand == Demand::pictures && !facts.stage[i]->picture) continue;
         if (!same_answers(*facts.stage[i], cases.inputs[i], answers.tables[i], variant[i], kSameShare)) return false;
-        explains = explains || (facts.wrong[i] && (demand == Demand::all || says_something(answers.tables[i])));
+        explains = explains ||
+                   (facts.wrong[i] && (demand == Demand::all || says_something(answers.tables[i], cases.expected[i])));
     }
     return explains;
 }
@@ -136,17 +139,19 @@ void find_nearest(const CaseSet& cases, const Facts& facts, const Answers& answe
     std::sort(fits.begin(), fits.end(), [](const Fit& a, const Fit& b) { return a.misfit < b.misfit; });
     if (fits.empty()) return;
     const std::vector<std::size_t>& best = catalogue.variants[fits[0].variant].mistakes;
-    if (fits[0].misfit > (best.size() == 1 ? kMostMisfit : kMostMisfitOfPair)) return;
-    for (const Fit& other : fits) {
-        const std::vector<std::size_t>& named = catalogue.variants[other.variant].mistakes;
-        const bool shares = std::any_of(best.begin(), best.end(), [&](std::size_t m) {
-            return std::find(named.begin(), named.end(), m) != named.end();
-        });
-        if (shares) continue;
-        if (other.misfit < kClearlyBetter * fits[0].misfit) return;
-        break;
-    }
-    diagnosis = {Diagnosis::Kind::nearly, best, fits[0].misfit};
+    // More mistakes than the best has fit better by chance: they are no rivals.
+    const auto is_no_rival = [&](const Fit& fit) {
+        const std::vector<std::size_t>& named = catalogue.variants[fit.variant].mistakes;
+        if (named.size() > best.size()) return true;
+        return std::find_first_of(best.begin(), best.end(), named.begin(), named.end()) != best.end();
+    };
+    const auto next = std::find_if_not(fits.begin(), fits.end(), is_no_rival);
+    diagnosis.misfit = fits[0].misfit;
+    diagnosis.next_misfit = next == fits.end() ? 1.0 : next->misfit;
+    if (diagnosis.misfit > (best.size() == 1 ? kMostMisfit : kMostMisfitOfPair)) return;
+    if (diagnosis.next_misfit < kClearlyBetter * diagnosis.misfit) return;
+    diagnosis.kind = Diagnosis::Kind::nearly;
+    diagnosis.mistakes = best;
 }
 
 }  // namespace

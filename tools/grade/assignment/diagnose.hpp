@@ -22,7 +22,8 @@ struct Diagnosis {
     enum class Kind { right, exactly, nearly, unknown };
     Kind kind = Kind::unknown;
     std::vector<std::size_t> mistakes;  ///< indices into Catalogue::mistakes; empty unless exactly or nearly
-    double misfit = 1.0;                ///< share of the error that the variant leaves unexplained, 0 to 1
+    double misfit = 1.0;                ///< share of the error that the best variant leaves unexplained, 0 to 1
+    double next_misfit = 1.0;           ///< the same of the best that names neither of its mistakes
 };
 
 /// exactly: one variant gives the same answers. nearly: its answers are wrong in the same way, but for the size of the
