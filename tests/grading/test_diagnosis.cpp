@@ -3,6 +3,7 @@
 #include <doctest/doctest.h>
 
 #include "tests/grading/lab.hpp"
+#include "tools/grade/assignment/table_reader.hpp"
 
 using namespace kreda;
 using namespace kreda::tests;
@@ -59,6 +60,11 @@ TEST_CASE("mistakes that were never seen are named right or not at all") {
     }
     MESSAGE("single " << single.right << " of " << single.all << ", pairs " << pair.right << " of " << pair.all
                       << ", others " << other.right << " of " << other.all);
+    const std::string page = tools::read_text(std::string(KREDA_SOURCE_DIR) + "/docs/grading.md");
+    for (const Tally& tally : {single, pair, other}) {
+        const std::string cells = " | " + std::to_string(tally.all) + " | " + std::to_string(tally.right) + " |";
+        CHECK_MESSAGE(page.find(cells) != std::string::npos, "docs/grading.md misses" << cells);
+    }
     CHECK(single.all + pair.all >= 60);
     CHECK(single.percent() >= 95.0);
     CHECK(pair.percent() >= 80.0);
