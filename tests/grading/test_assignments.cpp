@@ -216,3 +216,21 @@ TEST_CASE("answers of the wrong shape are refused whole") {
     longer.replace(longer.find(" 3 1 3"), 6, " 3 1 9");
     CHECK(tools::decode_tables(longer, expected).tables.empty());
 }
+
+TEST_CASE("two mistakes that cancel out do not count") {
+    const tools::Rubric rubric = rubric_of("A8_image_light");
+    const tools::CaseSet cases = tools::make_cases(rubric, {});
+    std::string text = tools::read_solution(rubric);  // v upside down, and rows read from the bottom
+    REQUIRE(tools::apply({{"const float v = 0.5f - std::asin(", "const float v = 0.5f + std::asin("},
+                          {"image.texels[row * image.width", "image.texels[(image.height - 1 - row) * image.width"}},
+                         text));
+    const auto answers = tools::answers_of_variants(rubric, cases, {{{}, text}});
+    for (const tools::TestResult& test : tools::score(rubric, cases, all_answered(answers[0]), false)) {
+        CAPTURE(test.name);
+        const bool stands_alone =
+            test.name == "3 cosine-weighted directions" || test.name == "5 half vectors" || test.name == "6 mip level";
+        CHECK(test.passed == stands_alone);
+        if (test.name == "4 irradiance")
+            CHECK(test.message.find("counts once equirect_point is right") != std::string::npos);
+    }
+}
