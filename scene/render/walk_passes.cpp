@@ -48,6 +48,8 @@ std::span<const PlannedPass> find_tile_passes(const RenderPlan& plan) {
     const std::span<const PlannedPass> passes(plan.passes);
     std::size_t first = passes.size();
     while (first > 0 && is_of_tile(passes[first - 1])) --first;
+    // Flat shading lights its triangles before any tile is drawn.
+    while (first < passes.size() && lights_points(passes[first])) ++first;
     return passes.subspan(first);
 }
 

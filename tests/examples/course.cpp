@@ -32,7 +32,9 @@ raster::Image linear_panel(const std::string& file, int columns, int rows, int i
 std::vector<std::string> example_names() {
     std::vector<std::string> names;
     for (const auto& entry : std::filesystem::directory_iterator(std::string(KREDA_SOURCE_DIR) + "/examples")) {
-        if (std::filesystem::exists(entry.path() / "main.cpp")) names.push_back(entry.path().filename().string());
+        const std::string name = entry.path().filename().string();  // "22_phong_terms", but not "assignments"
+        const bool is_numbered = name[0] >= '0' && name[0] <= '9';
+        if (is_numbered && std::filesystem::exists(entry.path() / "main.cpp")) names.push_back(name);
     }
     std::sort(names.begin(), names.end());
     return names;
