@@ -29,7 +29,7 @@ struct Key {
 struct RowText {
     Range range = {};
     std::vector<std::string_view> words = {};  ///< in the order of the enumerators that they stand for
-    std::string_view example;                  ///< where the default is none, or a poor example
+    std::string_view example{};                ///< where the default is none, or a poor example
     std::optional<std::string> by_default =
         std::nullopt;  ///< where what holds without the key is not the member's value
 };
