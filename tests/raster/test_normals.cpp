@@ -12,22 +12,11 @@
 #include "raster/mesh_checks.hpp"
 #include "raster/normals.hpp"
 #include "raster/shapes.hpp"
+#include "welded_mesh.hpp"
 
 using namespace kreda::raster;
 
 namespace {
-
-/// The mesh with one vertex a point and positions only: what an OBJ without vn and vt gives.
-Mesh welded(const Mesh& mesh) {
-    const std::vector<std::uint32_t> points = weld_by_position(mesh.positions);
-    Mesh result;
-    result.parts = mesh.parts;
-    for (std::size_t i = 0; i < points.size(); ++i) {
-        if (points[i] == result.positions.size()) result.positions.push_back(mesh.positions[i]);
-    }
-    for (const std::uint32_t vertex : mesh.indices) result.indices.push_back(points[vertex]);
-    return result;
-}
 
 /// The roof: triangle A = (0,0,0) (1,0,0) (0,1,0) in the xy plane and B = (0,0,0) (0,0,3) (1,0,0) in the xz plane,
 /// joined at right angles along the x axis.

@@ -12,28 +12,17 @@
 #include "raster/mesh_checks.hpp"
 #include "raster/normals.hpp"
 #include "raster/shapes.hpp"
+#include "welded_mesh.hpp"
 
 using namespace kreda::raster;
 
 namespace {
 
-/// The mesh with one vertex a point and positions only.
-Mesh bare(const Mesh& mesh) {
-    const std::vector<std::uint32_t> points = weld_by_position(mesh.positions);
-    Mesh result;
-    result.parts = mesh.parts;
-    for (std::size_t i = 0; i < points.size(); ++i) {
-        if (points[i] == result.positions.size()) result.positions.push_back(mesh.positions[i]);
-    }
-    for (const std::uint32_t vertex : mesh.indices) result.indices.push_back(points[vertex]);
-    return result;
-}
-
 /// A scan of the unit sphere: a few single points slid along the surface by one and a half edges, so that triangles
 /// around them fold over and face inwards.
 Mesh noisy_scan() {
     constexpr int kDetail = 48;
-    Mesh mesh = bare(make_sphere(kDetail));
+    Mesh mesh = welded(make_sphere(kDetail));
     std::mt19937 bits(7);
     const float edge = 2.0f * 3.14159265f / float(kDetail);
     for (std::size_t i = 20; i + 20 < mesh.positions.size(); i += 61 + bits() % 20) {
@@ -106,8 +95,8 @@ TEST_CASE("specks: folded triangles of a scan are lit with the surface around th
 }
 
 TEST_CASE("specks: cubes, prisms and their caps keep their edges") {
-    CHECK(is_as_crisp_as_the_crease(bare(make_cube(1))));
-    CHECK(is_as_crisp_as_the_crease(bare(make_cube(20))));  // faces of 2 x 400 triangles
+    CHECK(is_as_crisp_as_the_crease(welded(make_cube(1))));
+    CHECK(is_as_crisp_as_the_crease(welded(make_cube(20))));  // faces of 2 x 400 triangles
     for (const int sides : {3, 4, 5, 6, 7, 12, 64}) {
         for (const int rows : {1, 40}) {
             CAPTURE(sides);
@@ -123,9 +112,9 @@ TEST_CASE("specks: half a prism, whose cap has more than half of its edges at on
 }
 
 TEST_CASE("specks: a small box on a large floor keeps its edges, a fold of the floor does not") {
-    Mesh mesh = bare(make_plane(30));
+    Mesh mesh = welded(make_plane(30));
     const auto floor = static_cast<std::uint32_t>(mesh.triangle_count());
-    const Mesh box = bare(make_cube(1));
+    const Mesh box = welded(make_cube(1));
     const auto first = static_cast<std::uint32_t>(mesh.positions.size());
     for (const glm::vec3& p : box.positions) mesh.positions.push_back(0.02f * p);
     for (const std::uint32_t index : box.indices) mesh.indices.push_back(first + index);
