@@ -9,6 +9,7 @@
 #include "scene/render/debug_pixel.hpp"
 #include "scene/render/pass_work.hpp"
 #include "scene/render/threads.hpp"
+#include "scene/render/walk_passes.hpp"
 
 namespace kreda::scene {
 
@@ -121,16 +122,7 @@ void walk_runs(const Frame& frame, const TileArea& area, std::span<const Planned
     walk_batches(frame, area, passes, runs + debugged + 1, scratch.run_count - debugged - 1, scratch);
 }
 
-bool is_of_batch(const PlannedPass& pass) {
-    return pass.scope == PassScope::batch || pass.scope == PassScope::points;
-}
-
 }  // namespace
-
-std::span<const PlannedPass> find_batch_passes(std::span<const PlannedPass> tile_passes) {
-    const auto first = std::find_if(tile_passes.begin(), tile_passes.end(), is_of_batch);
-    return {first, std::find_if_not(first, tile_passes.end(), is_of_batch)};
-}
 
 void work_batch(const Frame& frame, const TileArea& area, std::span<const PlannedPass> passes, const Run* runs,
                 int count, TileScratch& scratch) {
@@ -148,12 +140,11 @@ void render_tile(const Frame& frame, int tile_index, TileScratch& scratch) {
     scratch.run_count = 0;
     const std::span<const PlannedPass> passes = frame.tile_passes;
     for (std::size_t p = 0; p < passes.size();) {
-        const std::span<const PlannedPass> batch =
-            is_of_batch(passes[p]) ? find_batch_passes(passes.subspan(p)) : std::span<const PlannedPass>{};
-        if (batch.empty()) {
+        if (passes[p].scope == PassScope::tile) {
             passes[p].run({frame, passes[p], scratch, area});
             scratch.clock.lap(number_of(frame, passes[p++]));
         } else {
+            const std::span<const PlannedPass> batch = find_batch_passes(passes.subspan(p));
             walk_runs(frame, area, batch, scratch);
             p += batch.size();
         }

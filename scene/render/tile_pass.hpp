@@ -40,9 +40,6 @@ void render_tile(const Frame& frame, int tile_index, TileScratch& scratch);
 /// All tiles, side by side.
 void render_tiles(const Frame& frame);
 
-/// Those of the tile passes that are walked batch by batch.
-[[nodiscard]] std::span<const PlannedPass> find_batch_passes(std::span<const PlannedPass> tile_passes);
-
 /// Run these passes on one batch of a tile. What they wrote on the way stays in scratch.fragments and
 /// scratch.lighting. The runs share a material and hold at most kBatchCapacity samples.
 void work_batch(const Frame& frame, const raster::TileArea& area, std::span<const PlannedPass> passes,

@@ -1,5 +1,6 @@
 #include "scene/render/walk_passes.hpp"
 
+#include <algorithm>
 #include <numeric>
 
 #include "scene/render/pass_work.hpp"
@@ -10,8 +11,8 @@ namespace kreda::scene {
 
 namespace {
 
-bool is_of_tile(const PlannedPass& pass) {
-    return pass.scope == PassScope::tile || pass.scope == PassScope::batch || pass.scope == PassScope::points;
+bool is_of_batch(const PlannedPass& pass) {
+    return pass.scope == PassScope::batch || pass.scope == PassScope::points;
 }
 
 bool lights_points(const PlannedPass& pass) {
@@ -46,11 +47,12 @@ void share_out(const Frame& frame, std::span<const PlannedPass> stretch, double 
 
 std::span<const PlannedPass> find_tile_passes(const RenderPlan& plan) {
     const std::span<const PlannedPass> passes(plan.passes);
-    std::size_t first = passes.size();
-    while (first > 0 && is_of_tile(passes[first - 1])) --first;
-    // Flat shading lights its triangles before any tile is drawn.
-    while (first < passes.size() && lights_points(passes[first])) ++first;
-    return passes.subspan(first);
+    const auto is_of_tile = [](const PlannedPass& pass) { return pass.scope == PassScope::tile; };
+    return {std::find_if(passes.begin(), passes.end(), is_of_tile), passes.end()};
+}
+
+std::span<const PlannedPass> find_batch_passes(std::span<const PlannedPass> tile_passes) {
+    return find_stretch(tile_passes, is_of_batch);
 }
 
 std::span<const PlannedPass> find_lighting_passes(const RenderPlan& plan) {

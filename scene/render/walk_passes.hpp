@@ -8,8 +8,11 @@
 
 namespace kreda::scene {
 
-/// The passes that are walked tile by tile: the last of the list.
+/// The passes that are walked tile by tile: from the first that works on a tile to the end of the list.
 [[nodiscard]] std::span<const PlannedPass> find_tile_passes(const RenderPlan& plan);
+
+/// Those of the tile passes that are walked batch by batch.
+[[nodiscard]] std::span<const PlannedPass> find_batch_passes(std::span<const PlannedPass> tile_passes);
 
 /// The passes that are walked for every batch of points that is lit, wherever in the list.
 [[nodiscard]] std::span<const PlannedPass> find_lighting_passes(const RenderPlan& plan);

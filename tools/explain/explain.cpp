@@ -5,6 +5,7 @@
 
 #include "scene/error.hpp"
 #include "scene/render/render.hpp"
+#include "scene/render/walk_passes.hpp"
 
 namespace kreda::tools {
 
