@@ -49,6 +49,9 @@ struct StoredImage {
 /// The byte that a PNG holds for an encoded value: round(255 c), c clamped to 0..1, NaN to 0.
 [[nodiscard]] std::uint8_t byte_from_encoded(float encoded);
 
+/// The bytes of the file that write_png writes; `path` is named in errors.
+[[nodiscard]] std::vector<unsigned char> png_file_of(const std::string& path, const raster::Image& encoded);
+
 /// Write 8-bit PNG, marked sRGB, from values that are encoded already: byte = round(255 c), c clamped to 0..1, NaN to
 /// 0. 1 (grey) or 3 channels. The same image gives the same bytes. Throws UserError and leaves no partial file.
 void write_png(const std::string& path, const raster::Image& encoded);

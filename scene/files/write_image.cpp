@@ -60,13 +60,16 @@ std::uint8_t byte_from_encoded(float encoded) {
     return static_cast<std::uint8_t>(std::lround(255.0f * std::min(encoded, 1.0f)));
 }
 
-void write_png(const std::string& path, const raster::Image& encoded) {
-    check_output_path(path, ".png");
+std::vector<unsigned char> png_file_of(const std::string& path, const raster::Image& encoded) {
     check_not_empty(path, encoded);
     KREDA_EXPECT(encoded.channels == 1 || encoded.channels == 3);
-    const PngPicture picture{encoded.width, encoded.height, encoded.channels,
-                             interleave<std::uint8_t>(encoded, byte_from_encoded)};
-    const std::vector<unsigned char> file = encode_png(path, picture);
+    return encode_png(
+        path, {encoded.width, encoded.height, encoded.channels, interleave<std::uint8_t>(encoded, byte_from_encoded)});
+}
+
+void write_png(const std::string& path, const raster::Image& encoded) {
+    check_output_path(path, ".png");
+    const std::vector<unsigned char> file = png_file_of(path, encoded);
     write_whole_file(path, {std::as_bytes(std::span(file))});
 }
 

@@ -4,7 +4,6 @@
 #include <cmath>
 
 #include "scene/files/image_file.hpp"
-#include "scene/files/png_bytes.hpp"
 #include "tools/compare/compare_pictures.hpp"
 #include "tools/explain/derivation.hpp"
 
@@ -13,15 +12,7 @@ namespace kreda::tools {
 namespace {
 
 std::vector<unsigned char> png_of(const raster::Image& encoded) {
-    scene::PngPicture picture{encoded.width, encoded.height, encoded.channels, {}};
-    for (int y = 0; y < encoded.height; ++y) {
-        for (int x = 0; x < encoded.width; ++x) {
-            for (int c = 0; c < encoded.channels; ++c) {
-                picture.values.push_back(scene::byte_from_encoded(encoded.at(c, x, y)));
-            }
-        }
-    }
-    return scene::encode_png("a picture of the report", picture);
+    return scene::png_file_of("a picture of the report", encoded);
 }
 
 /// The tables that a test looks at: indices into CaseSet::inputs.
