@@ -5,6 +5,8 @@
 #include <string>
 #include <vector>
 
+#include <doctest/doctest.h>
+
 #include "scene/files/mesh_file.hpp"
 #include "tests/scene/temp_folder.hpp"
 
@@ -55,6 +57,20 @@ struct LoadedText {
     const TempFolder folder;
     if (!mtl.empty()) folder.write("a.mtl", mtl);
     return without_folder(folder, error_of_file(folder.write("a.obj", obj)));
+}
+
+/// Lines that are not as they should be, and what is said about them.
+struct OddText {
+    std::string text;   // behind kVertices: starts in line 4
+    std::string start;  // of the message: the place
+    std::string words;  // in it
+};
+
+inline void check_says(const std::string& message, const OddText& odd) {
+    CAPTURE(odd.text);
+    CAPTURE(message);
+    CHECK(message.starts_with(odd.start));
+    CHECK(has(message, odd.words));
 }
 
 }  // namespace kreda::tests
