@@ -4,7 +4,8 @@ set(KREDA_IMAGE_SOURCES scene/files/image_file.cpp)  # these may include OpenIma
 
 set(KREDA_IMAGE_HELPERS file_content icc_profile image_color image_orientation quoted_text radiance_header webp_file)  # in both
 list(TRANSFORM KREDA_IMAGE_HELPERS REPLACE "(.+)" "scene/files/\\1.cpp")
-add_library(kreda_images MODULE ${KREDA_IMAGE_SOURCES} ${KREDA_IMAGE_HELPERS} scene/error.cpp)
+add_library(kreda_images MODULE ${KREDA_IMAGE_SOURCES} ${KREDA_IMAGE_HELPERS} scene/error.cpp
+  raster/aligned_vector.cpp)
 target_link_libraries(kreda_images PRIVATE kreda_flags glm_headers PkgConfig::OpenImageIO)
 # The program has functions of the same names; hidden ones are not mixed up. Folders are the same in the build and after
 # `cmake --install`: bin/kreda and lib/kreda/libkreda_images.so.

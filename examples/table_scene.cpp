@@ -43,7 +43,7 @@ scene::Scene sunny_table_closely(glm::ivec2 size) {
     return scene;
 }
 
-std::vector<float> shadow_factors(const scene::Scene& scene) {
+raster::AlignedVector<float> shadow_factors(const scene::Scene& scene) {
     scene::RenderBuffers buffers;
     render(scene, make_plan(scene, {scene::find_view("shadow")}), buffers);
     return buffers.views[0].values;

@@ -27,6 +27,6 @@ int add_scaled_shape(scene::Scene& scene, const std::string& shape, int detail, 
                      const glm::vec3& scale, const lighting::Material& material);
 
 /// The shadow factor of the lamp at every sample of the picture, as the scene's method finds it: 1 lit .. 0 in shadow.
-[[nodiscard]] std::vector<float> shadow_factors(const scene::Scene& scene);
+[[nodiscard]] raster::AlignedVector<float> shadow_factors(const scene::Scene& scene);
 
 }  // namespace kreda::examples

@@ -9,6 +9,8 @@
 #include <emmintrin.h>
 #endif
 
+#include "raster/aligned_vector.hpp"
+
 namespace kreda::raster {
 
 /// Copy `count` floats. Whole cache lines go straight to memory where the machine can do that (the only intrinsic of
@@ -17,8 +19,7 @@ namespace kreda::raster {
 inline void copy_past_cache(const float* __restrict from, int count, float* __restrict to) {
     int i = 0;
 #if defined(__SSE2__)
-    constexpr std::uintptr_t kCacheLine = 64;
-    constexpr int kFloatsPerLine = 16;
+    constexpr int kFloatsPerLine = kCacheLine / sizeof(float);
     while (i < count && reinterpret_cast<std::uintptr_t>(to + i) % kCacheLine != 0) to[i] = from[i], ++i;
     for (; i + kFloatsPerLine <= count; i += kFloatsPerLine) {
         for (int k = i; k < i + kFloatsPerLine; k += 4) _mm_stream_ps(to + k, _mm_loadu_ps(from + k));

@@ -4,10 +4,10 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
-#include <vector>
 
 #include <glm/vec3.hpp>
 
+#include "raster/aligned_vector.hpp"
 #include "raster/platform.hpp"
 
 namespace kreda::raster {
@@ -17,7 +17,7 @@ struct Image {
     int width = 0;
     int height = 0;
     int channels = 0;
-    std::vector<float> values;
+    AlignedVector<float> values;
 
     [[nodiscard]] std::size_t index(int c, int x, int y) const {
         KREDA_EXPECT(c >= 0 && c < channels && x >= 0 && x < width && y >= 0 && y < height);

@@ -50,12 +50,12 @@ void check_vertices(const Mesh& mesh, MeshReport& report) {
 }
 
 /// A side of a triangle: its two points, low first, and whether the triangle runs from low to high.
-struct Side {
+struct DirectedSide {
     std::uint64_t points = 0;
     bool is_forward = true;
 };
 
-void append_sides(std::vector<Side>& sides, const std::array<std::uint32_t, 3>& corners) {
+void append_sides(std::vector<DirectedSide>& sides, const std::array<std::uint32_t, 3>& corners) {
     for (std::size_t k = 0; k < 3; ++k) {
         const std::uint32_t from = corners[k], to = corners[(k + 1) % 3];
         const std::uint64_t low = std::min(from, to), high = std::max(from, to);
@@ -64,8 +64,8 @@ void append_sides(std::vector<Side>& sides, const std::array<std::uint32_t, 3>& 
 }
 
 /// Sides sorted by their points lie together when they are one edge.
-void count_edges(std::vector<Side>& sides, MeshReport& report) {
-    std::ranges::sort(sides, {}, &Side::points);
+void count_edges(std::vector<DirectedSide>& sides, MeshReport& report) {
+    std::ranges::sort(sides, {}, &DirectedSide::points);
     for (std::size_t first = 0; first < sides.size();) {
         std::size_t last = first + 1;
         while (last < sides.size() && sides[last].points == sides[first].points) ++last;
@@ -114,7 +114,7 @@ MeshReport check_mesh(const Mesh& mesh) {
     check_vertices(mesh, report);
     const std::vector<std::uint32_t> point_of_vertex = weld_by_position(mesh.positions);
     std::vector<bool> is_used(mesh.positions.size(), false);
-    std::vector<Side> sides;
+    std::vector<DirectedSide> sides;
     sides.reserve(mesh.indices.size());
     for (std::uint32_t t = 0; t < mesh.triangle_count(); ++t) {
         const std::uint32_t* vertices = &mesh.indices[3 * std::size_t{t}];

@@ -16,8 +16,6 @@ namespace kreda::raster {
 
 namespace {
 
-constexpr double kPi = std::numbers::pi;
-
 /// The least detail has a volume (where the shape has one), the most stays below 2^27 triangles.
 struct ShapeEntry {
     std::string_view name;
@@ -152,11 +150,11 @@ Mesh make_sphere(int detail) {
     const int rings = detail / 2;
     Mesh mesh;
     for (int r = 0; r <= rings; ++r) {
-        const double theta = kPi * r / rings;
+        const double theta = std::numbers::pi * r / rings;
         const double y = std::cos(theta);
         const double radius = (r == 0 || r == rings) ? 0.0 : std::sin(theta);
         for (int s = 0; s <= segments; ++s) {
-            const double phi = 2 * kPi * (s % segments) / segments;  // % closes the seam exactly
+            const double phi = 2 * std::numbers::pi * (s % segments) / segments;  // % closes the seam exactly
             const glm::dvec3 p(radius * std::sin(phi), y, radius * std::cos(phi));
             append_vertex(mesh, p, p, {double(s) / segments, 1.0 - double(r) / rings});
         }
@@ -173,8 +171,8 @@ Mesh make_torus(int detail) {
     Mesh mesh;
     for (int i = 0; i <= around_ring; ++i) {
         for (int j = 0; j <= around_tube; ++j) {
-            const double u = 2 * kPi * (i % around_ring) / around_ring;
-            const double v = 2 * kPi * (j % around_tube) / around_tube;
+            const double u = 2 * std::numbers::pi * (i % around_ring) / around_ring;
+            const double v = 2 * std::numbers::pi * (j % around_tube) / around_tube;
             const glm::dvec3 normal(std::cos(v) * std::sin(u), std::sin(v), std::cos(v) * std::cos(u));
             const glm::dvec3 ring(std::sin(u), 0.0, std::cos(u));
             append_vertex(mesh, ring + 0.4 * normal, normal, {double(i) / around_ring, double(j) / around_tube});

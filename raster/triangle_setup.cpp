@@ -147,7 +147,7 @@ void list_chunk(const ChunkTask& task, const MeshInstance& instance, const Frame
 
 /// Weighted sum of an attribute at a triangle's corners, appended to its stream if that is in use.
 template <class Attribute>
-void append_weighted(std::vector<Attribute>& stream, const std::array<std::uint32_t, 3>& corner,
+void append_weighted(AlignedVector<Attribute>& stream, const std::array<std::uint32_t, 3>& corner,
                      const glm::vec3& weights) {
     if (stream.empty()) return;
     const Attribute value =

@@ -10,6 +10,7 @@
 #include <glm/vec3.hpp>
 #include <glm/vec4.hpp>
 
+#include "raster/aligned_vector.hpp"
 #include "raster/mesh.hpp"
 #include "raster/screen.hpp"
 
@@ -38,14 +39,14 @@ struct VertexNeeds {
 /// What is known of every vertex of every instance, one array an attribute. Arrays that are not needed are empty.
 /// Vertices that the clipper made are appended behind those of the meshes.
 struct VertexStreams {
-    std::vector<ScreenVertex> screen;
-    std::vector<glm::vec3> position_world;
-    std::vector<glm::vec3> normal_world;  ///< not normalized
-    std::vector<glm::vec2> uv;
-    std::vector<glm::vec4> tangent_world;  ///< xyz not normalized, w the side of the bitangent; 0: the mesh has none
-    std::vector<glm::vec3> color;
-    std::vector<glm::vec3> color_behind;  ///< of the side that the normal points away from
-    std::vector<float> fog;
+    AlignedVector<ScreenVertex> screen;
+    AlignedVector<glm::vec3> position_world;
+    AlignedVector<glm::vec3> normal_world;  ///< not normalized
+    AlignedVector<glm::vec2> uv;
+    AlignedVector<glm::vec4> tangent_world;  ///< xyz not normalized, w the side of the bitangent; 0: the mesh has none
+    AlignedVector<glm::vec3> color;
+    AlignedVector<glm::vec3> color_behind;  ///< of the side that the normal points away from
+    AlignedVector<float> fog;
 };
 
 /// Give every instance its place in the streams and size them. Returns the number of vertices.

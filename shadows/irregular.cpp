@@ -7,6 +7,7 @@
 
 #include "raster/convex_polygon.hpp"
 #include "shadows/bvh.hpp"
+#include "shadows/row_bands.hpp"
 
 namespace kreda::shadows {
 
@@ -14,9 +15,6 @@ namespace {
 
 /// Cells are widened by this share of a cell: far more than double rounds in finding them.
 constexpr double kCellMargin = 1e-6;
-
-/// Rows that one thread works through before it takes the next.
-constexpr int kRowsPerBand = 16;
 
 using Polygon = raster::ConvexPolygon<glm::dvec3, 8>;
 
@@ -70,11 +68,10 @@ void test_points(const LightGrid& grid, const LightTriangle& triangle, int row, 
 
 void draw_into_grid(const LightGrid& grid, std::span<const LightTriangle> triangles, const glm::dvec4& light,
                     const VisibleSamples& samples, std::span<float> shadow) {
-    const int bands = (grid.rows + kRowsPerBand - 1) / kRowsPerBand;
+    const int bands = count_bands(grid.rows);
 #pragma omp parallel for schedule(dynamic)
     for (int band = 0; band < bands; ++band) {
-        const int band_first = band * kRowsPerBand;
-        const int band_last = std::min(band_first + kRowsPerBand, grid.rows) - 1;
+        const auto [band_first, band_last] = row_band(band, grid.rows);
         for (const LightTriangle& triangle : triangles) {
             const int last_row = std::min(triangle.last_row, band_last);
             for (int row = std::max(triangle.first_row, band_first); row <= last_row; ++row) {

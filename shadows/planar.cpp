@@ -5,14 +5,12 @@
 #include <cstddef>
 
 #include "shadows/light_ray.hpp"
+#include "shadows/row_bands.hpp"
 #include "shadows/screen_triangles.hpp"
 
 namespace kreda::shadows {
 
 namespace {
-
-/// Rows that one thread works through before it takes the next.
-constexpr int kRowsPerBand = 16;
 
 /// An occluder's image may reach this many times as far as the occluder is high; farther away nothing is seen of it.
 constexpr double kFarthestImage = 0x1p20;
@@ -34,11 +32,10 @@ void append_image(const OccluderPart& polygon, const glm::dmat4& clip_from_occlu
 
 /// Mark every sample that some triangle covers.
 void mark(const std::vector<ScreenTriangle>& triangles, const raster::Viewport& viewport, std::span<float> shadow) {
-    const int bands = (viewport.height + kRowsPerBand - 1) / kRowsPerBand;
+    const int bands = count_bands(viewport.height);
 #pragma omp parallel for schedule(dynamic)
     for (int band = 0; band < bands; ++band) {
-        const int band_first = band * kRowsPerBand;
-        const int band_last = std::min(band_first + kRowsPerBand, viewport.height) - 1;
+        const auto [band_first, band_last] = row_band(band, viewport.height);
         for (const ScreenTriangle& t : triangles) {
             const raster::SampleBox box = sample_box(t.a, t.b, t.c, viewport.width, viewport.height);
             const int last = std::min(box.y_last, band_last);

@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <vector>
 
+#include "raster/aligned_vector.hpp"
 #include "raster/fragments.hpp"
 #include "raster/image.hpp"
 #include "raster/triangle_setup.hpp"
@@ -31,7 +32,7 @@ struct ShadowMapPlan {
 /// their own edge there.
 struct ShadowMap {
     ShadowMapPlan plan;
-    std::vector<float> distance;  ///< along the view's axis, world units; kNoCaster where nothing casts
+    raster::AlignedVector<float> distance;  ///< along the view's axis, world units; kNoCaster where nothing casts
     float nearest = kNoCaster;    ///< the least of them; pcss only
 
     [[nodiscard]] int size() const {

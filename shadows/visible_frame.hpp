@@ -1,8 +1,7 @@
 // All visible samples of a frame at once: what the methods that work frame by frame look at.
 #pragma once
 
-#include <vector>
-
+#include "raster/aligned_vector.hpp"
 #include "raster/triangle_setup.hpp"
 #include "shadows/shadow.hpp"
 
@@ -12,9 +11,9 @@ namespace kreda::shadows {
 struct VisibleFrame {
     raster::Viewport viewport;
     glm::mat4 clip_from_world{1.0f};
-    std::vector<float> depth;             ///< raster::kClearDepth where nothing is seen
-    std::vector<glm::vec3> position;      ///< world space; (0, 0, 0) where nothing is seen
-    std::vector<std::uint32_t> triangle;  ///< raster::triangle_id() in the set, or raster::kNoTriangle
+    raster::AlignedVector<float> depth;             ///< raster::kClearDepth where nothing is seen
+    raster::AlignedVector<glm::vec3> position;      ///< world space; (0, 0, 0) where nothing is seen
+    raster::AlignedVector<std::uint32_t> triangle;  ///< raster::triangle_id() in the set, or raster::kNoTriangle
 
     [[nodiscard]] VisibleSamples samples() const {
         return {viewport, clip_from_world, depth, position};

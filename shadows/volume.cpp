@@ -6,6 +6,7 @@
 #include "raster/depth.hpp"
 #include "raster/platform.hpp"
 #include "shadows/light_ray.hpp"
+#include "shadows/row_bands.hpp"
 #include "shadows/silhouette.hpp"
 
 namespace kreda::shadows {
@@ -13,9 +14,6 @@ namespace kreda::shadows {
 namespace {
 
 using raster::ScreenVertex;
-
-/// Rows that one thread works through before it takes the next.
-constexpr int kRowsPerBand = 16;
 
 /// Projects the faces of one caster and appends what is left of them on the sample grid.
 class FaceMaker {
@@ -127,11 +125,10 @@ VolumeFaces make_volume_faces(std::span<const VolumeCaster> casters, const Shado
 std::vector<std::int32_t> count_volumes(const VolumeFaces& faces, const VisibleSamples& samples) {
     const int width = samples.viewport.width, height = samples.viewport.height;
     std::vector<std::int32_t> count(static_cast<std::size_t>(width) * height, 0);
-    const int bands = (height + kRowsPerBand - 1) / kRowsPerBand;
+    const int bands = count_bands(height);
 #pragma omp parallel for schedule(dynamic)
     for (int band = 0; band < bands; ++band) {
-        const int band_first = band * kRowsPerBand;
-        const int band_last = std::min(band_first + kRowsPerBand, height) - 1;
+        const auto [band_first, band_last] = row_band(band, height);
         for (const VolumeFace& face : faces.faces) {
             const auto [a, b, c, is_front] = face.triangle;
             const raster::SampleBox box = sample_box(a, b, c, width, height);

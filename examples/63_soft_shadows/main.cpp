@@ -24,7 +24,7 @@ Image penumbra_panel(glm::ivec2 size, float light_size) {
     const scene::Scene scene = make_scene(size, light_size);
     scene::RenderBuffers buffers;
     render(scene, make_plan(scene, {scene::find_view("penumbra")}), buffers);
-    std::vector<float> values = buffers.views[0].values;
+    auto values = buffers.views[0].values;
     for (float& value : values) value = std::min(value / 0.3f, 1.0f);
     return grey_image(size.x, size.y, values);
 }

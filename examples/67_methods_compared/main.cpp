@@ -23,7 +23,7 @@ struct Candidate {
 
 /// What one method says about a frame.
 struct Answer {
-    std::vector<float> factor;
+    raster::AlignedVector<float> factor;
     shadows::VisibleFrame visible;  ///< only of methods that look at all samples at once
     double ms = 0.0;                ///< the whole picture
 };
@@ -63,7 +63,7 @@ void draw(const Options& options) {
         {"map 2048", ShadowMethod::map, 2048}, {"planar", ShadowMethod::planar},
         {"volumes", ShadowMethod::volume},     {"irregular", ShadowMethod::irregular}};
     const glm::ivec2 size = panel_size(options.width, options.height, 3, 2);
-    const std::vector<float> exact = ask(size, {"exact", ShadowMethod::exact}).factor;
+    const auto exact = ask(size, {"exact", ShadowMethod::exact}).factor;
     const shadows::VisibleFrame visible = ask(size, candidates.back()).visible;
     std::printf("method       wrong %%   acne %%   leak %%  edge off/px    rmse  flicker %%       ms\n");
     std::vector<Image> panels;

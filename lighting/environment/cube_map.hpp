@@ -12,6 +12,7 @@
 #include <glm/vec3.hpp>
 
 #include "lighting/environment/texel_taps.hpp"
+#include "raster/aligned_vector.hpp"
 #include "raster/cube_face.hpp"
 #include "raster/scalar_math.hpp"
 
@@ -66,7 +67,7 @@ struct CubeLevel {
 /// Four floats a texel: red, green, blue and nothing. A level holds 6 faces of (size + 2)^2 texels, row by row.
 struct CubeMap {
     std::vector<CubeLevel> levels;
-    std::vector<float> texels;
+    raster::AlignedVector<float> texels;
 
     [[nodiscard]] bool empty() const {
         return levels.empty();

@@ -75,12 +75,12 @@ void settle_missing(const ObjScan& scan, MaterialReader& reader) {
     for (const ObjName& used : scan.materials) {
         if (reader.materials.index_of_name.contains(used.name)) continue;
         const std::string other = nearly_same_name(reader.materials, used.name), near = nearest_word(used.name, names);
-        const std::string remedy = !other.empty()  ? "; " + in_quotes(other) + " is used instead"
-                                   : !near.empty() ? "; did you mean " + in_quotes(near) + "?"
+        const std::string remedy = !other.empty()  ? "; " + token_in_quotes(other) + " is used instead"
+                                   : !near.empty() ? "; did you mean " + token_in_quotes(near) + "?"
                                                    : "";
         if (!other.empty()) reader.materials.index_of_name[used.name] = reader.materials.index_of_name[other];
         reader.warnings.add("materials that are in no MTL file", used.offset,
-                            "the material " + in_quotes(used.name) + " is in no MTL file" + remedy);
+                            "the material " + token_in_quotes(used.name) + " is in no MTL file" + remedy);
     }
 }
 

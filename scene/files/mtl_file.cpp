@@ -35,7 +35,7 @@ struct MtlScan {
     std::vector<Given> given;  // one for each newmtl
 };
 
-struct Scanner {
+struct MtlScanner {
     const ObjText& text;
     const NamedFileLimits& limits;
     ObjCursor cursor;
@@ -45,7 +45,7 @@ struct Scanner {
 };
 
 /// `kind`: what such warnings have in common.
-void warn(Scanner& s, std::string_view kind, std::string_view keyword, const std::string& message) {
+void warn(MtlScanner& s, std::string_view kind, std::string_view keyword, const std::string& message) {
     s.warnings.add(kind, s.cursor.offset_of(keyword), message);
 }
 
@@ -63,13 +63,13 @@ bool* given_number(Given& given, std::string_view keyword) {
 }
 
 /// A reflectance beyond 0..1 is drawn as it is written, but perhaps not meant so.
-void check_share(Scanner& s, std::string_view keyword, const std::array<std::string_view, 3>& rgb) {
+void check_share(MtlScanner& s, std::string_view keyword, const std::array<std::string_view, 3>& rgb) {
     for (const std::string_view number : rgb) {
         const double value = parse_finite(s.cursor, number, "a colour: r g b");
         const bool is_bright = value > 1.0 && keyword != "Ke";
         if (value >= 0.0 && !is_bright) continue;
         return warn(s, "colours beyond 0..1", number,
-                    in_quotes(number) + ": " + std::string(keyword) +
+                    token_in_quotes(number) + ": " + std::string(keyword) +
                         (value < 0.0 ? " is less than no light"
                                      : " reflects more light than arrives; bytes are to be divided by 255"));
     }
@@ -77,7 +77,7 @@ void check_share(Scanner& s, std::string_view keyword, const std::array<std::str
 
 /// Calls scan(); what it complains of is a warning: a surface without one of its numbers is still one.
 template <class Scan>
-void scan_or_warn(Scanner& s, Scan scan) {
+void scan_or_warn(MtlScanner& s, Scan scan) {
     try {
         scan();
     } catch (const UserError& error) {
@@ -86,7 +86,7 @@ void scan_or_warn(Scanner& s, Scan scan) {
 }
 
 /// Kd r [g b]: one number means grey, which the library would read as red.
-void scan_color(Scanner& s, std::string_view keyword, bool& given) {
+void scan_color(MtlScanner& s, std::string_view keyword, bool& given) {
     std::string_view token = s.cursor.next_number_token();
     if (token == "spectral" || token == "xyz") {
         return warn(s, "colours that are no r g b", keyword,
@@ -104,7 +104,7 @@ void scan_color(Scanner& s, std::string_view keyword, bool& given) {
     }
     if (!token.empty()) {
         warn(s, "colours of more than 3 numbers", token,
-             in_quotes(token) + ": a colour has 3 numbers, r g b; the rest is ignored");
+             token_in_quotes(token) + ": a colour has 3 numbers, r g b; the rest is ignored");
     }
     check_share(s, keyword, rgb);
     s.scan.statements += keyword;
@@ -114,7 +114,7 @@ void scan_color(Scanner& s, std::string_view keyword, bool& given) {
 }
 
 /// Ns, Pr and Pm: what lies outside of the range is clearly the end of the range.
-void scan_number(Scanner& s, std::string_view keyword, bool& given) {
+void scan_number(MtlScanner& s, std::string_view keyword, bool& given) {
     const std::string_view token = s.cursor.next_number_token();
     const double value = parse_finite(s.cursor, token, "a number");
     const bool is_exponent = keyword == "Ns";
@@ -124,7 +124,7 @@ void scan_number(Scanner& s, std::string_view keyword, bool& given) {
                                  : keyword == "Pr" ? "the roughness: 0 to 1"
                                                    : "the metallic share: 0 to 1";
         warn(s, "numbers out of range", token,
-             in_quotes(token) + ": " + std::string(keyword) + " is " + what + "; " + (is_too_small ? "0" : "1") +
+             token_in_quotes(token) + ": " + std::string(keyword) + " is " + what + "; " + (is_too_small ? "0" : "1") +
                  " is used instead");
     }
     const std::string_view used = is_too_small ? "0" : is_too_large ? "1" : token;
@@ -133,24 +133,24 @@ void scan_number(Scanner& s, std::string_view keyword, bool& given) {
 }
 
 /// d [-halo] opacity, Tr 1 - opacity
-void scan_opacity(Scanner& s, std::string_view keyword, std::optional<Share>& given) {
+void scan_opacity(MtlScanner& s, std::string_view keyword, std::optional<Share>& given) {
     std::string_view token = s.cursor.next_number_token();
     if (token == "-halo") token = s.cursor.next_number_token();
     given = Share{static_cast<float>(parse_finite(s.cursor, token, "an opacity: 0 to 1")), keyword};
 }
 
 /// Say what is not drawn as it is written, when all of the material is read.
-void finish_material(Scanner& s) {
+void finish_material(MtlScanner& s) {
     if (s.has_no_name || s.scan.given.empty()) return;
     const Given& given = s.scan.given.back();
     const bool is_opaque = given.d ? given.d->value >= 1.0f : !given.Tr || given.Tr->value <= 0.0f;
     if (is_opaque) return;
     const std::string_view keyword = given.d ? given.d->keyword : given.Tr->keyword;
     warn(s, "transparent materials (d, Tr)", keyword,
-         in_quotes(keyword) + ": this material is transparent, but drawn opaque; Kreda draws no transparency");
+         token_in_quotes(keyword) + ": this material is transparent, but drawn opaque; Kreda draws no transparency");
 }
 
-bool is_number(std::string_view word) {
+bool looks_like_number(std::string_view word) {
     return !word.empty() && word.find_first_not_of("+-.0123456789eE") == word.npos;
 }
 
@@ -182,7 +182,7 @@ MapStatement parse_map(const std::string& rest) {
         if (is_factor) map.bump = factor;
         map.has_other_options |= !is_factor;
         if (!has_numbers) skip();
-        for (int i = 0; has_numbers && i < (option == "-mm" ? 2 : 3) && is_number(word()); ++i) skip();
+        for (int i = 0; has_numbers && i < (option == "-mm" ? 2 : 3) && looks_like_number(word()); ++i) skip();
     }
     map.name = rest.substr(at);
     if (map.name.size() > 2 && map.name.front() == '"' && map.name.back() == '"') {
@@ -202,16 +202,16 @@ std::string* file_of_map(Given& given, const std::string& keyword) {
 }
 
 /// A map that there is no place for, or whose file is absent, is dropped with a warning: real files have such.
-void scan_map(Scanner& s, std::string_view keyword) {
+void scan_map(MtlScanner& s, std::string_view keyword) {
     const std::string rest = s.cursor.rest_of_statement();
     std::string* const file = file_of_map(s.scan.given.back(), in_lower_case(keyword));
     if (!file) {
         return warn(s, std::string(keyword) + " statements", keyword,
-                    in_quotes(keyword) + " is ignored; map_Kd, map_Ke, map_Pr, map_Pm, norm and map_Bump are used");
+                    token_in_quotes(keyword) + " is ignored; map_Kd, map_Ke, map_Pr, map_Pm, norm and map_Bump are used");
     }
     const MapStatement map = parse_map(rest);
     if (map.name.empty()) {
-        return warn(s, "maps without a file", keyword, in_quotes(keyword) + " names no image file and is ignored");
+        return warn(s, "maps without a file", keyword, token_in_quotes(keyword) + " names no image file and is ignored");
     }
     const bool is_bump = file == &s.scan.given.back().bump_file;
     if (map.has_other_options || (!is_bump && map.bump != 1.0f)) {
@@ -223,7 +223,7 @@ void scan_map(Scanner& s, std::string_view keyword) {
     if (is_bump) s.scan.given.back().maps.bump_scale = lighting::MaterialMaps{}.bump_scale * map.bump;
 }
 
-void scan_newmtl(Scanner& s, std::string_view keyword) {
+void scan_newmtl(MtlScanner& s, std::string_view keyword) {
     finish_material(s);
     const std::string name = s.cursor.rest_of_statement();
     s.has_no_name = name.empty();
@@ -235,12 +235,12 @@ void scan_newmtl(Scanner& s, std::string_view keyword) {
     s.scan.given.emplace_back();
 }
 
-void scan_keyword(Scanner& s, std::string_view keyword) {
+void scan_keyword(MtlScanner& s, std::string_view keyword) {
     if (keyword == "newmtl") return scan_newmtl(s, keyword);
     if (s.has_no_name) return;
     if (s.scan.given.empty()) {
         return warn(s, "statements before the first newmtl", keyword,
-                    in_quotes(keyword) + " before the first newmtl is ignored");
+                    token_in_quotes(keyword) + " before the first newmtl is ignored");
     }
     Given& given = s.scan.given.back();
     if (bool* const color = given_color(given, keyword)) {
@@ -257,7 +257,7 @@ void scan_keyword(Scanner& s, std::string_view keyword) {
     if (keyword == "illum") s.scan.statements.append("illum ").append(s.cursor.next_number_token()).append("\n");
 }
 
-void scan_statement(Scanner& s) {
+void scan_statement(MtlScanner& s) {
     const std::string_view keyword = s.cursor.next_token();
     if (!keyword.empty() && keyword.front() == '#') return s.cursor.skip_line();
     if (!keyword.empty()) scan_keyword(s, keyword);
@@ -304,7 +304,7 @@ lighting::Material convert(const tinyobj::material_t& mtl, const Given& given) {
 }  // namespace
 
 void add_mtl(const ObjText& text, const NamedFileLimits& limits, MtlMaterials& into) {
-    Scanner s{text, limits, ObjCursor(text), {}, ObjWarnings(text)};
+    MtlScanner s{text, limits, ObjCursor(text), {}, ObjWarnings(text)};
     while (!s.cursor.at_end()) scan_statement(s);
     finish_material(s);
     const std::vector<std::string> lines = s.warnings.lines();

@@ -22,7 +22,7 @@ struct OpenReference {
     std::string_view token;
 };
 
-struct Scanner {
+struct ObjScanner {
     const ObjText& text;
     ObjCursor cursor;
     ObjScan scan;
@@ -36,27 +36,27 @@ struct Scanner {
     std::size_t colored = 0;
     std::string first_colored;
 
-    explicit Scanner(const ObjText& obj) : text(obj), cursor(obj), warnings(obj) {
+    explicit ObjScanner(const ObjText& obj) : text(obj), cursor(obj), warnings(obj) {
         scan.statements.reserve(obj.text.size());
     }
 };
 
-void warn(Scanner& s, std::string_view kind, std::string_view token, const std::string& message) {
-    s.warnings.add(kind, s.cursor.offset_of(token), in_quotes(token) + ": " + message);
+void warn(ObjScanner& s, std::string_view kind, std::string_view token, const std::string& message) {
+    s.warnings.add(kind, s.cursor.offset_of(token), token_in_quotes(token) + ": " + message);
 }
 
-void append(Scanner& s, std::string_view word) {
+void append(ObjScanner& s, std::string_view word) {
     s.scan.statements += ' ';
     s.scan.statements += word;
 }
 
-void end_statement(Scanner& s, int kind) {
+void end_statement(ObjScanner& s, int kind) {
     s.scan.statements += '\n';
     ++s.counts[static_cast<std::size_t>(kind)];
 }
 
 /// v x y z, then nothing, a weight w, or a colour of 3 or 4 numbers; only x y z are used.
-void scan_position(Scanner& s, std::size_t offset) {
+void scan_position(ObjScanner& s, std::size_t offset) {
     static constexpr std::array<const char*, 3> kAxes = {"an x coordinate", "a y coordinate", "a z coordinate"};
     s.scan.statements += 'v';
     for (const char* axis : kAxes) {
@@ -89,7 +89,7 @@ bool is_nan_or_infinity(std::string_view token) {
 }
 
 /// vt u [v [w]]. What is no number becomes 0.
-void scan_texture_coordinate(Scanner& s) {
+void scan_texture_coordinate(ObjScanner& s) {
     s.scan.statements += "vt";
     int numbers = 0;
     std::string_view bad;
@@ -109,7 +109,7 @@ void scan_texture_coordinate(Scanner& s) {
 }
 
 /// vn x y z. Exporters write nan for degenerate faces: such a normal becomes 0 0 0, which counts as missing.
-void scan_normal(Scanner& s) {
+void scan_normal(ObjScanner& s) {
     s.scan.statements += "vn";
     for (int i = 0; i < 3; ++i) {
         std::string_view token = s.cursor.next_number_token();
@@ -125,13 +125,13 @@ void scan_normal(Scanner& s) {
     end_statement(s, 2);
 }
 
-[[noreturn]] void fail_index(Scanner& s, int kind, std::string_view token, const std::string& why) {
+[[noreturn]] void fail_index(ObjScanner& s, int kind, std::string_view token, const std::string& why) {
     const std::size_t k = static_cast<std::size_t>(kind);
     s.cursor.fail(token, std::string("no such ") + kKindNames[k] + ": " + why + " (" + kKindStatements[k] + ")");
 }
 
 /// Whether the library shall see this index. What only comes later, or never, is settled when the text is read.
-bool keeps_index(Scanner& s, int kind, std::int64_t index, std::string_view token) {
+bool keeps_index(ObjScanner& s, int kind, std::int64_t index, std::string_view token) {
     const std::int64_t count = s.counts[static_cast<std::size_t>(kind)];
     if (index == 0 && kind == 0) fail_index(s, kind, token, "indices count from 1");
     if (index == 0) {
@@ -146,7 +146,7 @@ bool keeps_index(Scanner& s, int kind, std::int64_t index, std::string_view toke
 
 /// One corner: v, v/vt, v//vn or v/vt/vn. The library gets the indices that it shall see, in the form v/vt/vn, and no
 /// slash at the end: it would take the next corner's index for the missing one.
-void scan_corner(Scanner& s, std::string_view token) {
+void scan_corner(ObjScanner& s, std::string_view token) {
     static constexpr const char* kExpected = "expected a corner of a face: v, v/vt, v//vn or v/vt/vn, integers";
     const char* p = token.data();
     const char* const end = token.data() + token.size();
@@ -172,7 +172,7 @@ void scan_corner(Scanner& s, std::string_view token) {
     if (!kept[2].empty()) s.scan.statements.append("/").append(kept[2]);
 }
 
-void scan_face(Scanner& s, std::size_t offset) {
+void scan_face(ObjScanner& s, std::size_t offset) {
     const std::size_t start = s.scan.statements.size(), first_open = s.open.size();
     s.scan.statements += 'f';
     int corners = 0;
@@ -197,7 +197,7 @@ void scan_face(Scanner& s, std::size_t offset) {
 }
 
 /// s GROUP, s 0, s off or s on, which some programs write: one smooth group.
-void scan_smoothing_group(Scanner& s) {
+void scan_smoothing_group(ObjScanner& s) {
     const std::string_view token = s.cursor.next_number_token();
     const std::string word = in_lower_case(token);
     std::int64_t group = 0;  // a label: of any other number than 0 the lower half will do
@@ -213,7 +213,7 @@ void scan_smoothing_group(Scanner& s) {
     s.scan.has_smoothing_groups = true;
 }
 
-void scan_name(Scanner& s, std::string_view keyword, std::size_t offset) {
+void scan_name(ObjScanner& s, std::string_view keyword, std::size_t offset) {
     const std::string name = s.cursor.rest_of_statement();
     if (keyword == "mtllib") {
         s.scan.material_files.push_back({name, offset});
@@ -227,11 +227,11 @@ void scan_name(Scanner& s, std::string_view keyword, std::size_t offset) {
     s.scan.statements += '\n';
 }
 
-void scan_ignored(Scanner& s, std::string_view keyword) {
-    if (s.ignored++ == 0) { s.first_ignored = warning_at(s.text, s.cursor.offset_of(keyword), in_quotes(keyword)); }
+void scan_ignored(ObjScanner& s, std::string_view keyword) {
+    if (s.ignored++ == 0) { s.first_ignored = warning_at(s.text, s.cursor.offset_of(keyword), token_in_quotes(keyword)); }
 }
 
-void scan_keyword(Scanner& s, std::string_view keyword) {
+void scan_keyword(ObjScanner& s, std::string_view keyword) {
     const std::size_t offset = s.cursor.offset_of(keyword);
     if (keyword == "v") return scan_position(s, offset);
     if (keyword == "f") return scan_face(s, offset);
@@ -243,7 +243,7 @@ void scan_keyword(Scanner& s, std::string_view keyword) {
     scan_ignored(s, keyword);
 }
 
-void scan_statement(Scanner& s) {
+void scan_statement(ObjScanner& s) {
     const std::string_view keyword = s.cursor.next_token();
     if (!keyword.empty() && keyword.front() == '#') return s.cursor.skip_line();
     if (!keyword.empty()) scan_keyword(s, keyword);
@@ -252,7 +252,7 @@ void scan_statement(Scanner& s) {
 
 /// What an index names must be somewhere in the file. A normal that is nowhere is made, as for a corner without one;
 /// texture coordinates of a file that has none are left out.
-void settle_open_references(Scanner& s) {
+void settle_open_references(ObjScanner& s) {
     for (const OpenReference& reference : s.open) {
         const std::int64_t count = s.counts[static_cast<std::size_t>(reference.kind)];
         if (reference.index > 0 && reference.index <= count) continue;
@@ -274,7 +274,7 @@ void settle_open_references(Scanner& s) {
 }  // namespace
 
 ObjScan scan_obj(const ObjText& text) {
-    Scanner s(text);
+    ObjScanner s(text);
     while (!s.cursor.at_end()) scan_statement(s);
     settle_open_references(s);
     s.scan.warnings = s.warnings.lines();

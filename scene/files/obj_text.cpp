@@ -97,7 +97,7 @@ std::vector<std::string> ObjWarnings::lines() const {
     return all;
 }
 
-std::string in_quotes(std::string_view token) {
+std::string token_in_quotes(std::string_view token) {
     constexpr std::size_t kLongest = 40;
     return "'" + visible(token.substr(0, kLongest)) + (token.size() > kLongest ? "...'" : "'");
 }
@@ -203,7 +203,7 @@ void ObjCursor::skip_line() {
 }
 
 void ObjCursor::fail(std::string_view token, const std::string& message) const {
-    const std::string found = token.empty() ? "the line ends" : in_quotes(token);
+    const std::string found = token.empty() ? "the line ends" : token_in_quotes(token);
     throw UserError(place_at(text_, offset_of(token)), found + ": " + message);
 }
 

@@ -58,7 +58,7 @@ private:
 };
 
 /// 'token', cut where it is long, control characters made visible.
-[[nodiscard]] std::string in_quotes(std::string_view token);
+[[nodiscard]] std::string token_in_quotes(std::string_view token);
 
 /// Letters of ASCII alone.
 [[nodiscard]] std::string in_lower_case(std::string_view word);

@@ -52,7 +52,7 @@ VertexRange vertices_of_part(const raster::Mesh& mesh, const raster::MeshPart& p
 
 /// Light the vertices of a range on one side of the surface.
 void light_range(const PassWork& work, std::uint32_t material, std::uint32_t first, int total, bool behind,
-                 std::vector<glm::vec3>& color) {
+                 raster::AlignedVector<glm::vec3>& color) {
     for_each_batch(work, total, [&](int begin, int count, TileScratch& scratch) {
         const std::uint32_t from = first + static_cast<std::uint32_t>(begin);
         set_vertex_points(work.frame, from, count, behind, scratch.fragments);
@@ -62,7 +62,7 @@ void light_range(const PassWork& work, std::uint32_t material, std::uint32_t fir
 }
 
 /// How many of a chunk's triangles from `begin` on have its material, at most a batch.
-int same_material(const std::vector<raster::ScreenTriangle>& triangles, int begin) {
+int same_material(const raster::AlignedVector<raster::ScreenTriangle>& triangles, int begin) {
     const auto first = triangles.begin() + begin;
     const auto end = first + std::min<std::ptrdiff_t>(kBatchCapacity, triangles.end() - first);
     const auto is_other = [&](const raster::ScreenTriangle& triangle) { return triangle.material != first->material; };

@@ -197,10 +197,10 @@ struct WrongPixels {
 WrongPixels wrong_pixels(scene::Scene scene, shadows::ShadowMethod method, int map_size) {
     scene::RenderBuffers buffers;
     render(scene, make_plan(scene, {scene::find_view("shadow"), scene::find_view("depth")}), buffers);  // by rays
-    const std::vector<float> exact = buffers.views[0].values, depth = buffers.views[1].values;
+    const auto exact = buffers.views[0].values, depth = buffers.views[1].values;
     scene.shadow.method = method;
     scene.shadow.size = map_size;
-    const std::vector<float> tested = examples::shadow_factors(scene);
+    const auto tested = examples::shadow_factors(scene);
     WrongPixels found;
     for (std::size_t i = 0; i < exact.size(); ++i) {
         if (depth[i] == 1.0f) continue;
@@ -348,7 +348,7 @@ TEST_CASE("65 shadow volumes: what is wrong away from edges lies within the snap
     for (int k = 0; k < 12; ++k) {
         scene::Scene scene = crowded_table({960, 540});
         scene.lights[0].position += 0.1f * static_cast<float>(k) * glm::vec3(-1.0f, 0.5f, 0.7f);
-        const std::vector<float> exact = examples::shadow_factors(scene);
+        const auto exact = examples::shadow_factors(scene);
         scene.shadow.method = shadows::ShadowMethod::volume;
         scene::RenderBuffers buffers;
         render(scene, make_plan(scene, {scene::find_view("shadow")}), buffers);

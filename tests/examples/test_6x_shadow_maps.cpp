@@ -19,13 +19,13 @@ using shadows::ShadowMethod;
 
 namespace {
 
-std::vector<float> by_rays(scene::Scene scene) {
+raster::AlignedVector<float> by_rays(scene::Scene scene) {
     scene.shadow.method = ShadowMethod::exact;
     return examples::shadow_factors(scene);
 }
 
 /// Share of the picture's samples that only one of the two calls dark.
-double misclassified(const std::vector<float>& a, const std::vector<float>& b) {
+double misclassified(std::span<const float> a, std::span<const float> b) {
     int wrong = 0;
     for (std::size_t i = 0; i < a.size(); ++i) wrong += (a[i] < 0.5f) != (b[i] < 0.5f);
     return wrong / static_cast<double>(a.size());
@@ -82,9 +82,9 @@ TEST_CASE("61_acne_and_bias: acne without bias - holes with too much - neither b
 TEST_CASE("62_pcf: three by three texels give ten levels and leave as much light as no filter") {
     scene::Scene scene = examples::sunny_table({320, 180});
     scene.shadow.size = 96;
-    const std::vector<float> plain = examples::shadow_factors(scene);
+    const auto plain = examples::shadow_factors(scene);
     scene.shadow.filter = ShadowFilter::pcf;
-    const std::vector<float> filtered = examples::shadow_factors(scene);
+    const auto filtered = examples::shadow_factors(scene);
     std::vector<bool> level(10, false);
     for (const float factor : filtered) {
         const float ninths = 9.0f * factor;

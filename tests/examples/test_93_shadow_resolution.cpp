@@ -32,7 +32,7 @@ public:
         scene_.shadow.size = size;
         scene_.shadow.bias = bias;
         scene_.shadow.filter = filter;
-        const std::vector<float> tested = examples::shadow_factors(scene_);
+        const auto tested = examples::shadow_factors(scene_);
         int wrong = 0, visible = 0;
         for (std::size_t i = 0; i < exact_.size(); ++i) {
             if (depth_[i] == 1.0f) continue;

@@ -83,7 +83,7 @@ TEST_CASE("environment cache: maps from it and the film drawn with them are thos
         const TempFolder folder;
         Scene scene = ball("irradiance = \"" + std::string(form) + "\"\n");
         const PreparedEnvironment anew = fresh(scene);
-        const std::vector<float> film = render(scene).values;
+        const auto film = render(scene).values;
         const Cached cold = cached(scene, folder.file("maps"));
         CHECK(cold.report.baked == 3);  // levels, irradiance, BRDF map
         CHECK(cold.report.why_not_kept.empty());
@@ -99,7 +99,7 @@ TEST_CASE("environment cache: maps from it and the film drawn with them are thos
 
 TEST_CASE("environment cache: a scene's prepared maps are drawn with and maps for another scene are not") {
     Scene scene = ball();
-    const std::vector<float> film = render(scene).values;
+    const auto film = render(scene).values;
     PreparedEnvironment dark = fresh(scene);
     std::fill(dark.maps.prefiltered.texels.begin(), dark.maps.prefiltered.texels.end(), 0.0f);
     scene.environment.prepared = std::make_shared<PreparedEnvironment>(dark);

@@ -140,7 +140,7 @@ TEST_CASE("shadow map: hard cases are finite and either lit or dark or between")
             CHECK(count_non_finite(buffers.film) == 0);
             CHECK(count_non_finite(buffers.views[1]) == 0);
             CHECK(count_non_finite(buffers.views[2]) == 0);
-            const std::vector<float>& shadows = buffers.views[0].values;
+            const auto& shadows = buffers.views[0].values;
             CHECK(std::all_of(shadows.begin(), shadows.end(), [](float s) { return s >= 0.0f && s <= 1.0f; }));
         }
     }

@@ -70,7 +70,7 @@ struct ShadowScene {
 
     /// The depths, with those of surfaces that lie along the light's rays taken for unseen.
     [[nodiscard]] std::vector<float> depth_without_edge_on_surfaces() const {
-        std::vector<float> depth = frame.depth;
+        auto depth = frame.depth;
         for (std::size_t i = 0; i < depth.size(); ++i) {
             if (!is_seen(i)) continue;
             const auto [a, b, c] = set.triangle(frame.triangle[i]).vertex;

@@ -29,7 +29,7 @@ PhongMaterial material_of(const StageRow& row) {
     return {row.vec3("m_A"), row.vec3("m_D"), row.vec3("m_S"), row.vec3("m_E"), row.number("h")};
 }
 
-glm::vec3 shade(const StageRow& row) {
+glm::vec3 shade_lights(const StageRow& row) {
     const PhongMaterial m = material_of(row);
     const glm::vec3 n = lighting::unit(row.vec3("normal"));
     const glm::vec3 v = lighting::unit(row.vec3("eye") - row.vec3("position"));
@@ -132,7 +132,7 @@ void reference_a3(StageRow row) {
         row.put("diffuse", t.diffuse);
         row.put("specular", t.specular);
     } else if (row.is("shade")) {
-        row.put("color", shade(row));
+        row.put("color", shade_lights(row));
     }
 }
 

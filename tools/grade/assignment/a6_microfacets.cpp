@@ -24,7 +24,7 @@ glm::vec3 reflected(const glm::vec3& n, const glm::vec3& l, const glm::vec3& v, 
     return terms.diffuse + terms.specular;
 }
 
-glm::vec3 shade(const StageRow& row) {
+glm::vec3 shade_microfacets(const StageRow& row) {
     const CookTorranceSetup setup = setup_of(row);
     const glm::vec3 n = lighting::unit(row.vec3("n"));
     const glm::vec3 v = lighting::unit(row.vec3("eye") - row.vec3("p"));
@@ -121,7 +121,7 @@ void reference_a6(StageRow row) {
     } else if (row.is("cook_torrance")) {
         row.put("reflected", reflected(row.vec3("n"), row.vec3("l"), row.vec3("v"), setup_of(row)));
     } else if (row.is("shade")) {
-        row.put("color", shade(row));
+        row.put("color", shade_microfacets(row));
     }
 }
 

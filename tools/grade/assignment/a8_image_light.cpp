@@ -69,7 +69,7 @@ float mip_level(float density, int samples, int width) {
     return level > 0.0f ? level : 0.0f;
 }
 
-glm::vec3 shade(const StageRow& row) {
+glm::vec3 shade_image_light(const StageRow& row) {
     const glm::vec3 n = row.vec3("n");
     const int samples = static_cast<int>(row.integer("samples"));
     const glm::vec3 r = lighting::mirror_vector(n, row.vec3("v"));
@@ -169,7 +169,7 @@ void reference_a8(StageRow row) {
     } else if (row.is("prefiltered")) {
         row.put("blurred", prefiltered(row, row.vec3("n"), row.number("alpha"), samples()));
     } else if (row.is("shade")) {
-        row.put("color", shade(row));
+        row.put("color", shade_image_light(row));
     }
 }
 
