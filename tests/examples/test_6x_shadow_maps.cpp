@@ -1,7 +1,7 @@
 // Laws about 60 to 63: shadow maps against rays, and a penumbra against similar triangles.
 #include <algorithm>
 #include <cmath>
-#include <vector>
+#include <span>
 
 #include <doctest/doctest.h>
 
@@ -31,7 +31,7 @@ double misclassified(std::span<const float> a, std::span<const float> b) {
     return wrong / static_cast<double>(a.size());
 }
 
-double mean(const std::vector<float>& values) {
+double mean(std::span<const float> values) {
     double sum = 0.0;
     for (const float value : values) sum += double{value};
     return sum / static_cast<double>(values.size());
@@ -41,7 +41,7 @@ double mean(const std::vector<float>& values) {
 
 TEST_CASE("60_depth_from_the_light: the factor in the picture is that of rays but for one pixel in a hundred") {
     const raster::Image panel = linear_panel("60_depth_from_the_light/steps.png", 2, 2, 2);
-    const std::vector<float> exact = by_rays(examples::sunny_table({panel.width, panel.height}));
+    const auto exact = by_rays(examples::sunny_table({panel.width, panel.height}));
     int wrong = 0, looked_at = 0;
     for (int y = 0; y < panel.height - 14; ++y) {  // above the caption
         for (int x = 0; x < panel.width; ++x, ++looked_at) {
@@ -65,7 +65,7 @@ TEST_CASE("60_depth_from_the_light: at 2048 texels and the default bias a hundre
 TEST_CASE("61_acne_and_bias: acne without bias - holes with too much - neither by slope or along the normal") {
     scene::Scene scene = examples::sunny_table({320, 180});
     scene.shadow.size = 256;
-    const std::vector<float> exact = by_rays(scene);
+    const auto exact = by_rays(scene);
     const auto with = [&](ShadowBias bias, float constant) {
         scene.shadow.bias = bias;
         scene.shadow.constant_bias = constant;

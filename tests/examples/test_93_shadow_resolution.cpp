@@ -49,7 +49,7 @@ private:
         return scene;
     }
     scene::Scene scene_ = softly_lit();
-    std::vector<float> exact_, depth_;
+    raster::AlignedVector<float> exact_, depth_;
 };
 
 }  // namespace

@@ -113,7 +113,7 @@ TEST_CASE("image file: PNG rounds to the nearest byte and clamps") {
     write_png(folder.file("a.png"), image);
     const Image back = read_image(folder.file("a.png"));
     REQUIRE(back.channels == 1);
-    CHECK(back.values == raster::AlignedVector<float>{0.0f, 0.0f, 1.0f / 255, 1.0f, 1.0f, 0.0f});
+    CHECK(back.values == kreda::raster::AlignedVector<float>{0.0f, 0.0f, 1.0f / 255, 1.0f, 1.0f, 0.0f});
 }
 
 TEST_CASE("image file: EXR keeps every float to the last bit") {

@@ -69,12 +69,12 @@ struct ShadowScene {
     }
 
     /// The depths, with those of surfaces that lie along the light's rays taken for unseen.
-    [[nodiscard]] std::vector<float> depth_without_edge_on_surfaces() const {
+    [[nodiscard]] raster::AlignedVector<float> depth_without_edge_on_surfaces() const {
         auto depth = frame.depth;
         for (std::size_t i = 0; i < depth.size(); ++i) {
             if (!is_seen(i)) continue;
             const auto [a, b, c] = set.triangle(frame.triangle[i]).vertex;
-            const std::vector<glm::vec3>& p = streams.position_world;
+            const auto& p = streams.position_world;
             const glm::vec3 n = glm::normalize(glm::cross(p[b] - p[a], p[c] - p[a]));
             const glm::vec3 l = glm::normalize(shadows::toward_light(shadows::homogeneous(light), frame.position[i]));
             if (std::abs(glm::dot(n, l)) < 1e-5f) depth[i] = raster::kClearDepth;

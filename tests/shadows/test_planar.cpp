@@ -32,7 +32,7 @@ double largest(const glm::dmat4& m) {
 /// The scene's planar shadow on its first object, and the exact one there; what else is seen does not count.
 ShadowError error_on_floor(const ShadowScene& scene) {
     const VisibleSamples samples = scene.frame.samples();
-    std::vector<float> depth = scene.depth_without_edge_on_surfaces();
+    auto depth = scene.depth_without_edge_on_surfaces();
     const std::uint32_t floor_triangles = scene.instances[0].mesh->triangle_count();
     for (std::size_t i = 0; i < depth.size(); ++i) {
         if (!scene.is_seen(i) || scene.set.triangle(scene.frame.triangle[i]).source >= floor_triangles) {

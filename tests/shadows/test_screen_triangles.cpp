@@ -70,7 +70,7 @@ TEST_CASE("screen triangles: before the far plane they cover what the rasterizer
                              scene.viewport, triangles);
         }
         std::vector<std::uint32_t> covered(40 * 30, 0);
-        std::vector<float> nearest(40 * 30, raster::kClearDepth);
+        raster::AlignedVector<float> nearest(40 * 30, raster::kClearDepth);
         for (const shadows::ScreenTriangle& t : triangles) {
             const raster::DepthPlane plane =
                 raster::depth_plane(t.a, t.b, t.c, raster::edge_function(t.a.x, t.a.y, t.b.x, t.b.y, t.c.x, t.c.y));

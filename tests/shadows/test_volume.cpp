@@ -179,7 +179,7 @@ TEST_CASE("shadow volumes: as the ray says but next to an edge - in every hard c
         volume_shadow(casters_of(scene), scene.light, samples, volume);
         // A surface that the light meets edge on lies within a rounding of a volume's side as a whole; it receives no
         // light.
-        const std::vector<float> depth = scene.depth_without_edge_on_surfaces();
+        const auto depth = scene.depth_without_edge_on_surfaces();
         const ShadowError error = compare_shadows({samples.viewport, {}, depth, samples.position}, exact, volume, 1);
         CAPTURE(hard_case.name);
         CHECK(error.acne + error.leaks == 0);

@@ -172,7 +172,7 @@ std::vector<NamedScene> make_scenes() {
 /// FNV-1a over the bytes of the film and of what the display shows of it.
 std::uint64_t hash(const raster::Image& film) {
     std::uint64_t h = 14695981039346656037ull;
-    const auto add = [&](const std::vector<float>& values) {
+    const auto add = [&](const raster::AlignedVector<float>& values) {
         for (const float value : values) {
             std::uint32_t bits = 0;
             std::memcpy(&bits, &value, sizeof bits);

@@ -56,7 +56,7 @@ Image make_board(int width, int height, const glm::vec3& color) {
     return image;
 }
 
-Image grey_image(int width, int height, const std::vector<float>& values) {
+Image grey_image(int width, int height, std::span<const float> values) {
     Image image = raster::make_image(width, height, 3);
     for (int c = 0; c < 3; ++c) std::copy_n(values.begin(), image.plane_size(), image.plane(c));
     return image;

@@ -4,6 +4,7 @@
 #pragma once
 
 #include <cstdint>
+#include <span>
 #include <string_view>
 #include <vector>
 
@@ -34,7 +35,7 @@ inline const glm::vec3 kYellow = srgb(0xf2d16b);
 [[nodiscard]] Image make_board(int width, int height, const glm::vec3& color = kBoard);
 
 /// A grey picture of one value a pixel, row by row from the top.
-[[nodiscard]] Image grey_image(int width, int height, const std::vector<float>& values);
+[[nodiscard]] Image grey_image(int width, int height, std::span<const float> values);
 
 /// Colour of a signed value: blue below 0, board at 0, orange above; full at +-1.
 [[nodiscard]] glm::vec3 signed_color(float value);
