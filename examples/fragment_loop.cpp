@@ -4,9 +4,10 @@
 
 namespace kreda::examples {
 
-Frame make_frame(std::vector<raster::MeshInstance> instances, const glm::mat4& clip_from_world,
-                 const raster::Viewport& viewport, const raster::VertexNeeds& needs, raster::CullMode cull) {
-    Frame frame;
+FrameGeometry make_frame_geometry(std::vector<raster::MeshInstance> instances, const glm::mat4& clip_from_world,
+                                  const raster::Viewport& viewport, const raster::VertexNeeds& needs,
+                                  raster::CullMode cull) {
+    FrameGeometry frame;
     frame.viewport = viewport;
     lay_out_vertices(instances, needs, frame.streams);
     transform_vertices(instances, clip_from_world, viewport, frame.streams);
@@ -14,7 +15,7 @@ Frame make_frame(std::vector<raster::MeshInstance> instances, const glm::mat4& c
     return frame;
 }
 
-void for_each_fragment(const Frame& frame, const raster::FragmentNeeds& needs,
+void for_each_fragment(const FrameGeometry& frame, const raster::FragmentNeeds& needs,
                        raster::AttributeInterpolation interpolation,
                        const std::function<void(int, int, const raster::Fragments&, int)>& visit) {
     raster::for_each_fragment(frame.streams, frame.triangles, frame.viewport, needs, interpolation, visit);

@@ -12,7 +12,8 @@ void for_each_surface_point(const raster::Mesh& mesh, const raster::Camera& came
     instance.mesh = &mesh;
     instance.part_material.assign(mesh.parts.size(), 0);
     const glm::mat4 clip = raster::clip_from_world(camera, raster::aspect_of(size.x, size.y));
-    const Frame frame = make_frame({instance}, clip, {size.x, size.y}, {.position_world = true, .normal_world = true});
+    const FrameGeometry frame =
+        make_frame_geometry({instance}, clip, {size.x, size.y}, {.position_world = true, .normal_world = true});
     for_each_fragment(frame, {.position = true, .normal = true}, raster::AttributeInterpolation::perspective,
                       [&](int x, int y, const raster::Fragments& f, int i) {
                           const glm::vec3 p = f.position.at(i);

@@ -4,12 +4,11 @@
 #include <algorithm>
 #include <cstdint>
 
+#include "raster/cull_mode.hpp"
 #include "raster/sample_edges.hpp"
 #include "raster/screen.hpp"
 
 namespace kreda::raster {
-
-enum class CullMode { back, front, none };
 
 /// What becomes of a triangle.
 enum class Fate : std::int32_t { drawn, degenerate, culled, outside, needs_clip };

@@ -112,13 +112,6 @@ glm::vec3 weights_at(const Triangle& t, int x, int y) {
     return q * (1.0f / (q.x + q.y + q.z));
 }
 
-/// A mirroring transform turns counter-clockwise into clockwise: what was the back is then the front.
-CullMode cull_of(const MeshInstance& instance, CullMode cull) {
-    const bool mirrored = glm::determinant(glm::dmat3(instance.world_from_object)) < 0.0;
-    if (!mirrored || cull == CullMode::none) return cull;
-    return cull == CullMode::back ? CullMode::front : CullMode::back;
-}
-
 }  // namespace
 
 void draw_reference(const std::vector<MeshInstance>& instances, const glm::mat4& clip_from_world,
@@ -134,7 +127,8 @@ void draw_reference(const std::vector<MeshInstance>& instances, const glm::mat4&
             for (std::size_t t = part.first_triangle; t < part.first_triangle + part.triangle_count; ++t) {
                 const Triangle whole = {vertex(3 * t), vertex(3 * t + 1), vertex(3 * t + 2)};
                 for (const Triangle& piece : clip(whole, viewport)) {
-                    cover(piece, first + static_cast<std::uint32_t>(t), cull_of(instance, cull), canvas);
+                    cover(piece, first + static_cast<std::uint32_t>(t),
+                          cull_mode_for(cull, is_mirrored(glm::mat3(instance.world_from_object))), canvas);
                 }
             }
         }

@@ -11,7 +11,7 @@ namespace kreda::raster {
 /// From one sample centre to the next E changes by a multiple of 256, so floor(E / 256) has the sign of E at every
 /// centre and is all that the test needs. It is computed in three widths: in double where a tile's triangles may reach
 /// far (tile_edge), in 32 bits where corners are near (near_edge), and solved for x in 64 bits where a whole row is
-/// asked for at once (shadows/screen_triangles.cpp). One width for all would cost speed or digits.
+/// asked for at once (shadows/projected_triangles.cpp). One width for all would cost speed or digits.
 struct SampleEdge {
     std::int32_t start = 0;   ///< at the first sample; >= 0 means inside
     std::int32_t step_x = 0;  ///< to the next sample of the row

@@ -26,19 +26,12 @@ struct ChunkTask {
     std::uint32_t first_source = 0;  ///< number of the instance's first triangle over all instances
 };
 
-struct Frame {
+struct SetupInput {
     glm::mat4 clip_from_world;
     Viewport viewport;
     CullMode cull;
     bool mirrored;  ///< the instance's transform turns counter-clockwise into clockwise
 };
-
-/// A mirroring transform turns counter-clockwise into clockwise: what was the back is then the front.
-CullMode cull_mode_for(CullMode cull, bool mirrored) {
-    if (!mirrored) return cull;
-    if (cull == CullMode::back) return CullMode::front;
-    return cull == CullMode::front ? CullMode::back : cull;
-}
 
 /// Triangles that will be drawn, with the tiles that they touch; there is room for more behind the last.
 struct DrawList {
@@ -68,16 +61,17 @@ void append(const ScreenTriangle& triangle, bool front, bool mirrored, const Til
 }
 
 /// The three corners of a triangle in clip space, computed again: only triangles for the clipper need them.
-ClipPolygon clip_again(const MeshInstance& instance, const Frame& frame, const std::uint32_t* corner, bool& finite) {
-    const glm::mat4 clip_from_object = frame.clip_from_world * instance.world_from_object;
+ClipPolygon clip_again(const MeshInstance& instance, const SetupInput& input, const std::uint32_t* corner,
+                       bool& finite) {
+    const glm::mat4 clip_from_object = input.clip_from_world * instance.world_from_object;
     std::array<glm::vec4, 3> clip;
     finite = true;
     for (int i = 0; i < 3; ++i) {
         clip[i] = clip_from_object * glm::vec4(instance.mesh->positions[corner[i]], 1.0f);
         finite = finite && is_finite(clip[i].x) && is_finite(clip[i].y) && is_finite(clip[i].z) && is_finite(clip[i].w);
     }
-    return clip_triangle(clip[0], clip[1], clip[2], guard_band_ndc(frame.viewport.width),
-                         guard_band_ndc(frame.viewport.height));
+    return clip_triangle(clip[0], clip[1], clip[2], guard_band_ndc(input.viewport.width),
+                         guard_band_ndc(input.viewport.height));
 }
 
 void count_fates(const std::int32_t* fate, int count, TriangleCounts& counts) {
@@ -88,11 +82,11 @@ void count_fates(const std::int32_t* fate, int count, TriangleCounts& counts) {
 }
 
 /// Put a triangle aside that the clipper leaves something of.
-void clip_later(const MeshInstance& instance, const Frame& frame, const std::uint32_t* index,
+void clip_later(const MeshInstance& instance, const SetupInput& input, const std::uint32_t* index,
                 const ScreenTriangle& triangle, std::uint32_t place, TriangleCounts& counts,
                 std::vector<PendingClip>& pending) {
     bool finite = true;
-    const ClipPolygon polygon = clip_again(instance, frame, index, finite);
+    const ClipPolygon polygon = clip_again(instance, input, index, finite);
     counts.non_finite += !finite;
     counts.outside += finite && polygon.count == 0;
     if (polygon.count > 0) pending.push_back({place, triangle, polygon});
@@ -101,7 +95,7 @@ void clip_later(const MeshInstance& instance, const Frame& frame, const std::uin
 /// List the triangles of one part of a mesh, from `begin` to `end`, that will be drawn; those that need clipping are
 /// put aside in `pending`.
 void list_triangles(std::uint32_t begin, std::uint32_t end, std::uint32_t material, std::uint32_t first_source,
-                    const MeshInstance& instance, const Frame& frame, const TileGrid& grid,
+                    const MeshInstance& instance, const SetupInput& input, const TileGrid& grid,
                     const VertexStreams& streams, DrawList& list, TriangleCounts& counts,
                     std::vector<PendingClip>& pending) {
     const std::uint32_t* index = &instance.mesh->indices[3 * std::size_t{begin}];
@@ -112,22 +106,22 @@ void list_triangles(std::uint32_t begin, std::uint32_t end, std::uint32_t materi
     for (std::uint32_t first = begin; first < end; first += kScreenLanes, index += 3 * kScreenLanes) {
         const int count = static_cast<int>(std::min<std::uint32_t>(end - first, kScreenLanes));
         fetch_corners(&streams.screen[instance.first_vertex], index, count, lanes);
-        const bool any = judge_triangles(count, frame.cull, frame.viewport, grid, lanes);
+        const bool any = judge_triangles(count, input.cull, input.viewport, grid, lanes);
         count_fates(lanes.fate, count, counts);
         for (int i = 0; any && i < count; ++i) {
             const Fate fate{lanes.fate[i]};
             triangle.source = first_source + first + static_cast<std::uint32_t>(i);
             for (int k = 0; k < 3; ++k) triangle.vertex[k] = instance.first_vertex + index[3 * i + k];
-            append(triangle, lanes.front[i] != 0, frame.mirrored, lanes.tiles_at(i), fate == Fate::drawn, list);
+            append(triangle, lanes.front[i] != 0, input.mirrored, lanes.tiles_at(i), fate == Fate::drawn, list);
             if (fate == Fate::needs_clip) {
-                clip_later(instance, frame, index + 3 * i, triangle, list.count, counts, pending);
+                clip_later(instance, input, index + 3 * i, triangle, list.count, counts, pending);
             }
         }
     }
 }
 
 /// List the triangles of one chunk, part by part.
-void list_chunk(const ChunkTask& task, const MeshInstance& instance, const Frame& frame, const TileGrid& grid,
+void list_chunk(const ChunkTask& task, const MeshInstance& instance, const SetupInput& input, const TileGrid& grid,
                 const VertexStreams& streams, DrawList& list, TriangleCounts& counts,
                 std::vector<PendingClip>& pending) {
     list.count = 0;
@@ -141,7 +135,7 @@ void list_chunk(const ChunkTask& task, const MeshInstance& instance, const Frame
         if (!instance.part_hidden.empty() && instance.part_hidden[p]) continue;
         list_triangles(std::max(part->first_triangle, first),
                        std::min(part->first_triangle + part->triangle_count, last), instance.part_material[p],
-                       task.first_source, instance, frame, grid, streams, list, counts, pending);
+                       task.first_source, instance, input, grid, streams, list, counts, pending);
     }
 }
 
@@ -169,12 +163,12 @@ void append_vertex(const ClipVertex& vertex, const std::array<std::uint32_t, 3>&
 }
 
 /// Draw one clipped triangle as a fan of triangles.
-void draw_fan(const PendingClip& clip, const Frame& frame, const TileGrid& grid, VertexStreams& streams, DrawList& list,
-              TriangleCounts& counts) {
+void draw_fan(const PendingClip& clip, const SetupInput& input, const TileGrid& grid, VertexStreams& streams,
+              DrawList& list, TriangleCounts& counts) {
     const auto first = static_cast<std::uint32_t>(streams.screen.size());
     const int count = clip.polygon.count;
     for (int i = 0; i < count; ++i)
-        append_vertex(clip.polygon.vertex[i], clip.triangle.vertex, frame.viewport, streams);
+        append_vertex(clip.polygon.vertex[i], clip.triangle.vertex, input.viewport, streams);
     const int apex = fan_apex(&streams.screen[first], count);
     list.make_room(static_cast<std::uint32_t>(count) + 1);
     for_each_of_fan(apex, count, [&](int i, int j, int k) {
@@ -184,18 +178,18 @@ void draw_fan(const PendingClip& clip, const Frame& frame, const TileGrid& grid,
         const ScreenPoint a = point_of(streams.screen[piece.vertex[0]]);
         const ScreenPoint b = point_of(streams.screen[piece.vertex[1]]);
         const ScreenPoint c = point_of(streams.screen[piece.vertex[2]]);
-        const Judgement judgement = judge(a, b, c, frame.cull, frame.viewport);
+        const Judgement judgement = judge(a, b, c, input.cull, input.viewport);
         const Fate fate = look_closer(a, b, c, judgement);
         const auto number = static_cast<std::int32_t>(fate);
         count_fates(&number, 1, counts);
-        append(piece, judgement.front, frame.mirrored, tiles_of(grid, judgement.x, judgement.y), fate == Fate::drawn,
+        append(piece, judgement.front, input.mirrored, tiles_of(grid, judgement.x, judgement.y), fate == Fate::drawn,
                list);
     });
     ++counts.clipped;
 }
 
 /// List the clipped triangles of a chunk, too, each at its place in the drawing order.
-DrawList with_clipped(const DrawList& list, const std::vector<PendingClip>& pending, const Frame& frame,
+DrawList with_clipped(const DrawList& list, const std::vector<PendingClip>& pending, const SetupInput& input,
                       const TileGrid& grid, VertexStreams& streams, TriangleCounts& counts) {
     DrawList merged;
     std::uint32_t copied = 0;
@@ -208,7 +202,7 @@ DrawList with_clipped(const DrawList& list, const std::vector<PendingClip>& pend
     };
     for (const PendingClip& clip : pending) {
         copy_until(clip.place);
-        draw_fan(clip, frame, grid, streams, merged, counts);
+        draw_fan(clip, input, grid, streams, merged, counts);
     }
     copy_until(list.count);
     return merged;
@@ -294,7 +288,7 @@ TriangleCounts setup_triangles(const std::vector<MeshInstance>& instances, const
                                TriangleSet& set) {
     const auto frame_of = [&](const ChunkTask& task) {
         const bool mirrored = is_mirrored(glm::mat3(instances[task.instance].world_from_object));
-        return Frame{clip_from_world, viewport, cull_mode_for(cull, mirrored), mirrored};
+        return SetupInput{clip_from_world, viewport, cull_mode_for(cull, mirrored), mirrored};
     };
     const std::vector<ChunkTask> tasks = make_tasks(instances);
     const int chunk_count = static_cast<int>(tasks.size());

@@ -14,6 +14,7 @@
 #include "lighting/light.hpp"
 #include "lighting/material.hpp"
 #include "raster/camera.hpp"
+#include "raster/cull_mode.hpp"
 #include "raster/film.hpp"
 #include "raster/mesh.hpp"
 #include "scene/environment.hpp"
@@ -26,7 +27,6 @@ using raster::ToneMap;
 using raster::Transfer;
 enum class ShadingFrequency { flat, gouraud, phong };
 enum class Interpolation { perspective, affine };
-enum class Cull { back, front, none };
 enum class Normals { file, smooth, flat };
 
 struct ImageSettings {
@@ -50,7 +50,7 @@ struct ImageSettings {
 struct ShadingSettings {
     ShadingFrequency frequency = ShadingFrequency::phong;
     Interpolation interpolation = Interpolation::perspective;
-    Cull cull = Cull::back;
+    raster::CullMode cull = raster::CullMode::back;
     bool two_sided = true;  ///< where culling is off: normals are turned to the viewer
 };
 

@@ -5,8 +5,8 @@
 #include <cstddef>
 
 #include "shadows/light_ray.hpp"
+#include "shadows/projected_triangles.hpp"
 #include "shadows/row_bands.hpp"
-#include "shadows/screen_triangles.hpp"
 
 namespace kreda::shadows {
 
@@ -23,7 +23,7 @@ OccluderPart clip(const OccluderPart& in, const glm::dvec4& form) {
 }
 
 void append_image(const OccluderPart& polygon, const glm::dmat4& clip_from_occluder, const raster::Viewport& viewport,
-                  std::vector<ScreenTriangle>& triangles) {
+                  std::vector<ProjectedTriangle>& triangles) {
     const auto image = [&](int i) { return glm::vec4(clip_from_occluder * polygon.corner[i]); };
     raster::for_each_of_fan(0, polygon.count, [&](int i, int j, int k) {
         append_on_screen(image(i), image(j), image(k), viewport, triangles);
@@ -31,12 +31,12 @@ void append_image(const OccluderPart& polygon, const glm::dmat4& clip_from_occlu
 }
 
 /// Mark every sample that some triangle covers.
-void mark(const std::vector<ScreenTriangle>& triangles, const raster::Viewport& viewport, std::span<float> shadow) {
+void mark(const std::vector<ProjectedTriangle>& triangles, const raster::Viewport& viewport, std::span<float> shadow) {
     const int bands = count_bands(viewport.height);
 #pragma omp parallel for schedule(dynamic)
     for (int band = 0; band < bands; ++band) {
         const auto [band_first, band_last] = row_band(band, viewport.height);
-        for (const ScreenTriangle& t : triangles) {
+        for (const ProjectedTriangle& t : triangles) {
             const raster::SampleBox box = sample_box(t.a, t.b, t.c, viewport.width, viewport.height);
             const int last = std::min(box.y_last, band_last);
             for (int y = std::max(box.y_first, band_first); y <= last; ++y) {
@@ -106,13 +106,13 @@ namespace {
 
 /// Append the image of triangle i of an occluder on the picture's grid.
 void append_image(const PlanarSetup& setup, const Occluder& occluder, std::size_t i, const raster::Viewport& viewport,
-                  std::vector<ScreenTriangle>& triangles) {
+                  std::vector<ProjectedTriangle>& triangles) {
     const auto corner = [&](std::size_t k) { return occluder.positions[occluder.indices[3 * i + k]]; };
     append_image(between_plane_and_light(setup.toward, setup.light, corner(0), corner(1), corner(2)),
                  setup.clip_from_occluder, viewport, triangles);
 }
 
-bool covers(const ScreenTriangle& t, int x, int y, const raster::Viewport& viewport) {
+bool covers(const ProjectedTriangle& t, int x, int y, const raster::Viewport& viewport) {
     const raster::SampleBox box = sample_box(t.a, t.b, t.c, viewport.width, viewport.height);
     if (y < box.y_first || y > box.y_last) return false;
     const SampleSpan span = covered_in_row(t, y, viewport.width);
@@ -125,12 +125,12 @@ std::optional<PlanarCause> planar_cause(std::span<const Occluder> occluders, con
                                         const ShadowLight& light, const VisibleSamples& samples, int x, int y) {
     const PlanarSetup setup = planar_setup(plane, light, samples);
     if (!setup.casts) return std::nullopt;
-    std::vector<ScreenTriangle> triangles;
+    std::vector<ProjectedTriangle> triangles;
     for (std::size_t o = 0; o < occluders.size(); ++o) {
         for (std::size_t i = 0; i < occluders[o].indices.size() / 3; ++i) {
             triangles.clear();
             append_image(setup, occluders[o], i, samples.viewport, triangles);
-            for (const ScreenTriangle& t : triangles) {
+            for (const ProjectedTriangle& t : triangles) {
                 if (covers(t, x, y, samples.viewport)) return PlanarCause{o, i};
             }
         }
@@ -143,7 +143,7 @@ void planar_shadow(std::span<const Occluder> occluders, const glm::dvec4& plane,
     std::fill(shadow.begin(), shadow.end(), 1.0f);
     const PlanarSetup setup = planar_setup(plane, light, samples);
     if (!setup.casts) return;
-    std::vector<ScreenTriangle> triangles;
+    std::vector<ProjectedTriangle> triangles;
     for (const Occluder& occluder : occluders) {
         for (std::size_t i = 0; i < occluder.indices.size() / 3; ++i) {
             append_image(setup, occluder, i, samples.viewport, triangles);

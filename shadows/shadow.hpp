@@ -7,6 +7,7 @@
 #include <glm/mat4x4.hpp>
 #include <glm/vec3.hpp>
 
+#include "raster/cull_mode.hpp"
 #include "raster/fragments.hpp"
 #include "raster/screen.hpp"
 
@@ -37,7 +38,6 @@ inline bool is_frame_by_frame(ShadowMethod method) {
 
 enum class ShadowFilter { none, pcf, pcss };
 enum class ShadowBias { none, constant, slope, normal_offset };
-enum class CasterCull { none, back, front };
 
 /// The [shadow] table of a scene.
 struct ShadowSettings {
@@ -46,10 +46,10 @@ struct ShadowSettings {
     ShadowFilter filter = ShadowFilter::none;  ///< map
     int radius = 1;                            ///< pcf: (2 radius + 1)^2 texels
     float light_size = 0.2f;  ///< pcss: the light's width; directional: at distance 1 (tangent of its angle)
-    ShadowBias bias = ShadowBias::slope;  ///< map
-    float constant_bias = 0.0005f;        ///< in the map's depth, 0..1
-    float slope_bias = 2.0f;              ///< times the least bias that a flat receiver needs
-    CasterCull cull = CasterCull::none;   ///< which side of a triangle casts nothing
+    ShadowBias bias = ShadowBias::slope;             ///< map
+    float constant_bias = 0.0005f;                   ///< in the map's depth, 0..1
+    float slope_bias = 2.0f;                         ///< times the least bias that a flat receiver needs
+    raster::CullMode cull = raster::CullMode::none;  ///< which side of a triangle casts nothing
 };
 
 /// A method answers in one of two shapes.

@@ -12,15 +12,6 @@ namespace {
 
 using raster::kTileSide;
 
-raster::CullMode cull_mode(CasterCull cull) {
-    switch (cull) {
-        case CasterCull::none: return raster::CullMode::none;
-        case CasterCull::back: return raster::CullMode::back;
-        case CasterCull::front: return raster::CullMode::front;
-    }
-    return raster::CullMode::none;
-}
-
 /// Window depth back to distance. A perspective depth is z = a - b / distance with a = f / (f - n) and b = n a; that of
 /// parallel rays goes evenly from near to far.
 struct DistanceFromDepth {
@@ -124,7 +115,7 @@ void draw_shadow_map(std::vector<raster::MeshInstance>& casters, const ShadowMap
         const glm::mat4 clip = clip_from_world(view);
         lay_out_vertices(casters, {}, buffers.streams);
         transform_vertices(casters, clip, viewport, buffers.streams);
-        setup_triangles(casters, clip, viewport, cull_mode(plan.settings.cull), 1, buffers.streams, buffers.triangles);
+        setup_triangles(casters, clip, viewport, plan.settings.cull, 1, buffers.streams, buffers.triangles);
         const bool is_soft = plan.settings.filter == ShadowFilter::pcss;
         const float nearest = draw_face(buffers, view, map.size(), map.stride(), is_soft, face + map.first_texel());
         map.nearest = std::min(map.nearest, nearest);

@@ -52,14 +52,14 @@ private:
     /// is coarse. Not for caps: theirs stands where the surface's own does.
     void stand_near() {
         const auto farness = [](const ScreenVertex& v) { return std::abs(v.z - 0.5f); };
-        for (ScreenTriangle& t : triangles_) {
+        for (ProjectedTriangle& t : triangles_) {
             if (farness(t.b) < std::min(farness(t.a), farness(t.c))) t = {t.b, t.c, t.a, t.is_front};
             if (farness(t.c) < std::min(farness(t.a), farness(t.b))) t = {t.c, t.a, t.b, t.is_front};
         }
     }
 
     void keep(bool turned_over, int weight) {
-        for (const ScreenTriangle& t : triangles_) out_.faces.push_back({t, t.is_front != turned_over, weight});
+        for (const ProjectedTriangle& t : triangles_) out_.faces.push_back({t, t.is_front != turned_over, weight});
         triangles_.clear();
     }
 
@@ -67,10 +67,10 @@ private:
     std::vector<glm::vec4> away_;  ///< clip space
     raster::Viewport viewport_;
     VolumeFaces& out_;
-    std::vector<ScreenTriangle> triangles_;
+    std::vector<ProjectedTriangle> triangles_;
 };
 
-raster::DepthPlane plane_of(const ScreenTriangle& t) {
+raster::DepthPlane plane_of(const ProjectedTriangle& t) {
     return raster::depth_plane(t.a, t.b, t.c, raster::edge_function(t.a.x, t.a.y, t.b.x, t.b.y, t.c.x, t.c.y));
 }
 
@@ -145,7 +145,7 @@ std::vector<FaceCrossing> faces_over(const VolumeFaces& faces, const VisibleSamp
     const float seen = samples.depth[static_cast<std::size_t>(y) * width + x];
     std::vector<FaceCrossing> crossings;
     for (const VolumeFace& face : faces.faces) {
-        const ScreenTriangle& t = face.triangle;
+        const ProjectedTriangle& t = face.triangle;
         const raster::SampleBox box = sample_box(t.a, t.b, t.c, width, height);
         if (y < box.y_first || y > box.y_last) continue;
         const SampleSpan span = covered_in_row(t, y, width);

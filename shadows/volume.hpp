@@ -10,7 +10,7 @@
 #include <glm/mat4x4.hpp>
 
 #include "raster/vertex_stage.hpp"
-#include "shadows/screen_triangles.hpp"
+#include "shadows/projected_triangles.hpp"
 #include "shadows/shadow.hpp"
 
 namespace kreda::shadows {
@@ -28,7 +28,7 @@ struct VolumeCaster {
 
 /// A face of a volume on the sample grid.
 struct VolumeFace {
-    ScreenTriangle triangle;
+    ProjectedTriangle triangle;
     bool is_entry = true;  ///< the camera looks at its outside: a ray enters the volume here
     int weight = 1;        ///< how many volumes it bounds
 };

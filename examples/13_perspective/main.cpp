@@ -31,7 +31,7 @@ Image draw_floor(glm::ivec2 size, int detail, AttributeInterpolation interpolati
     instance.mesh = &floor;
     instance.part_material = {0};
     const glm::mat4 clip_from_world = raster::clip_from_world(kCamera, raster::aspect_of(size.x, size.y));
-    const Frame frame = make_frame({instance}, clip_from_world, {size.x, size.y}, {.uv = true});
+    const FrameGeometry frame = make_frame_geometry({instance}, clip_from_world, {size.x, size.y}, {.uv = true});
 
     Image image = make_board(size.x, size.y);
     for_each_fragment(frame, {.uv = true}, interpolation, [&](int x, int y, const raster::Fragments& f, int i) {

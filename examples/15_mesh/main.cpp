@@ -22,17 +22,17 @@ namespace {
 const raster::Camera kCamera{
     .position = {1.0f, 1.0f, 3.2f}, .target = {0.08f, -0.03f, 0.0f}, .vertical_fov_deg = 27.0f};
 
-Frame frame_of(const raster::Mesh& mesh, const glm::mat4& world_from_object, glm::ivec2 size) {
+FrameGeometry frame_of(const raster::Mesh& mesh, const glm::mat4& world_from_object, glm::ivec2 size) {
     raster::MeshInstance instance;
     instance.mesh = &mesh;
     instance.world_from_object = world_from_object;
     instance.part_material.assign(mesh.parts.size(), 0);
     const glm::mat4 clip = raster::clip_from_world(kCamera, raster::aspect_of(size.x, size.y));
-    return make_frame({instance}, clip, {size.x, size.y}, {.normal_world = true});
+    return make_frame_geometry({instance}, clip, {size.x, size.y}, {.normal_world = true});
 }
 
 /// Hidden lines vanish by themselves: an edge is where neighbouring pixels see different triangles.
-Image draw_wireframe(const Frame& frame) {
+Image draw_wireframe(const FrameGeometry& frame) {
     const raster::VisibilityBuffer buffer = rasterize_tiled(frame.streams, frame.triangles, frame.viewport);
     Image image = make_board(buffer.width, buffer.height);
     for (int y = 0; y + 1 < buffer.height; ++y) {
@@ -53,7 +53,7 @@ glm::vec3 color_of_normal(const glm::vec3& n) {
             raster::linear_from_srgb(encoded.z)};
 }
 
-Image draw_normals(const Frame& frame) {
+Image draw_normals(const FrameGeometry& frame) {
     Image image = make_board(frame.viewport.width, frame.viewport.height);
     for_each_fragment(frame, {.normal = true}, raster::AttributeInterpolation::perspective,
                       [&](int x, int y, const raster::Fragments& f, int i) {

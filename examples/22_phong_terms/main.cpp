@@ -32,7 +32,7 @@ scene::Scene make_scene(glm::ivec2 size, const lighting::Material& material) {
     scene.camera.position = {1.0f, 1.5f, 3.0f};
     scene.camera.target = {0.05f, 0.45f, 0.0f};
     scene.camera.vertical_fov_deg = 27.0f;
-    scene.shading.cull = scene::Cull::none;  // the pot is open at its rim
+    scene.shading.cull = raster::CullMode::none;  // the pot is open at its rim
     add_shape(scene, "teapot", 12, glm::vec3(0.0f), material);
     scene.lights = {directional_light({0.8f, -1.2f, -1.0f}), directional_light({-1.0f, -0.3f, -0.3f}, 0.35f)};
     return scene;

@@ -8,7 +8,7 @@
 #include "scene/render/render.hpp"
 #include "shadows/bvh.hpp"
 #include "shadows/planar.hpp"
-#include "shadows/screen_triangles.hpp"
+#include "shadows/projected_triangles.hpp"
 
 using namespace kreda;
 using namespace kreda::examples;
@@ -18,7 +18,7 @@ namespace {
 /// What drawing a shadow by hand needs to know of a rendered frame.
 struct Stage {
     Image unshadowed;
-    shadows::VisibleFrame visible;
+    shadows::VisibleSampleMemory visible;
     std::vector<bool> is_table;
     std::vector<shadows::Triangle> casting;
     glm::dvec4 plane, light;
@@ -48,10 +48,10 @@ Stage make_stage(glm::ivec2 size) {
 
 /// The images of all triangles on the sample grid. Clipped between table and lamp first; or divided by w before
 /// anything is clipped, which throws what is higher than the lamp to the wrong side.
-std::vector<shadows::ScreenTriangle> flatten(const Stage& stage, bool clipped) {
+std::vector<shadows::ProjectedTriangle> flatten(const Stage& stage, bool clipped) {
     const glm::dmat4 M = shadows::planar_projection(stage.plane, stage.light);
     const glm::dmat4 clip_from_world(stage.visible.clip_from_world);
-    std::vector<shadows::ScreenTriangle> images;
+    std::vector<shadows::ProjectedTriangle> images;
     for (const shadows::Triangle& t : stage.casting) {
         shadows::OccluderPart polygon{{{{t.a, 1.0}, {t.b, 1.0}, {t.c, 1.0}}}, 3};
         if (clipped) polygon = shadows::between_plane_and_light(stage.plane, stage.light, t.a, t.b, t.c);
@@ -71,7 +71,7 @@ template <class Wanted>
 Image darken(const Stage& stage, bool clipped, bool every_time, Wanted wanted) {
     Image image = stage.unshadowed;
     std::vector<bool> is_dark(stage.is_table.size(), false);
-    for (const shadows::ScreenTriangle& t : flatten(stage, clipped)) {
+    for (const shadows::ProjectedTriangle& t : flatten(stage, clipped)) {
         for (int y = 0; y < image.height; ++y) {
             const shadows::SampleSpan span = covered_in_row(t, y, image.width);
             for (int x = span.first; x <= span.last; ++x) {
@@ -94,7 +94,7 @@ void draw(const Options& options) {
     const Stage stage = make_stage(panel_size(options.width, options.height, 3, 2));
     const auto on_table = [&](const auto&, int, int, int i) { return stage.is_table[i]; };
     const auto anywhere = [](const auto&, int, int, int) { return true; };
-    const auto nearer = [&](const shadows::ScreenTriangle& t, int x, int y, int i) {
+    const auto nearer = [&](const shadows::ProjectedTriangle& t, int x, int y, int i) {
         const raster::DepthPlane plane =
             depth_plane(t.a, t.b, t.c, raster::edge_function(t.a.x, t.a.y, t.b.x, t.b.y, t.c.x, t.c.y));
         return depth_at(plane, depth_of_row(plane, y), x) < stage.visible.depth[i];

@@ -24,8 +24,8 @@ struct Candidate {
 /// What one method says about a frame.
 struct Answer {
     raster::AlignedVector<float> factor;
-    shadows::VisibleFrame visible;  ///< only of methods that look at all samples at once
-    double ms = 0.0;                ///< the whole picture
+    shadows::VisibleSampleMemory visible;  ///< only of methods that look at all samples at once
+    double ms = 0.0;                       ///< the whole picture
 };
 
 /// The table with a knot and an open pot on it. `nudge` turns the camera by so many pixels.
@@ -64,7 +64,7 @@ void draw(const Options& options) {
         {"volumes", ShadowMethod::volume},     {"irregular", ShadowMethod::irregular}};
     const glm::ivec2 size = panel_size(options.width, options.height, 3, 2);
     const auto exact = ask(size, {"exact", ShadowMethod::exact}).factor;
-    const shadows::VisibleFrame visible = ask(size, candidates.back()).visible;
+    const shadows::VisibleSampleMemory visible = ask(size, candidates.back()).visible;
     std::printf("method       wrong %%   acne %%   leak %%  edge off/px    rmse  flicker %%       ms\n");
     std::vector<Image> panels;
     for (const Candidate& candidate : candidates) {

@@ -125,7 +125,7 @@ const std::vector<Key<shadows::ShadowSettings>>& shadow_keys() {
             row<S>("slope_bias", &S::slope_bias, "slope, normal_offset: times the least that a flat surface needs",
                    {.range = kNotNegative}),
             row<S>("cull", &S::cull, "map: which side of a triangle casts nothing",
-                   {.words = {"none", "back", "front"}}),
+                   {.words = {"back", "front", "none"}}),
         });
     return keys;
 }

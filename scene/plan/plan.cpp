@@ -11,15 +11,6 @@ namespace kreda::scene {
 
 namespace {
 
-raster::CullMode cull_mode(Cull cull) {
-    switch (cull) {
-        case Cull::back: return raster::CullMode::back;
-        case Cull::front: return raster::CullMode::front;
-        case Cull::none: return raster::CullMode::none;
-    }
-    return raster::CullMode::back;
-}
-
 /// The attributes of a vertex that a later pass reads.
 raster::VertexNeeds vertex_needs(const Scene& scene, const RenderPlan& plan) {
     const bool lit_at_pixels = plan.frequency == ShadingFrequency::phong;
@@ -122,7 +113,7 @@ RenderPlan make_plan(const Scene& scene, const std::vector<const View*>& views) 
     plan.has_lights = std::any_of(scene.lights.begin(), scene.lights.end(), [](const auto& light) { return light.on; });
     plan.samples = scene.image.samples;
     plan.viewport = {scene.image.width * plan.samples, scene.image.height * plan.samples};
-    plan.cull = cull_mode(scene.shading.cull);
+    plan.cull = scene.shading.cull;
     plan.two_sided = scene.shading.two_sided && plan.cull != raster::CullMode::back;
     plan.interpolation = scene.shading.interpolation == Interpolation::affine
                              ? raster::AttributeInterpolation::affine

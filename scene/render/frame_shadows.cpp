@@ -36,7 +36,7 @@ bool has_hidden_parts(const MeshInstance& instance) {
 
 void find_planar(const Frame& frame, const PlannedShadow& planned, const Occluders& occluders,
                  std::vector<float>& factor) {
-    const shadows::VisibleFrame& visible = frame.buffers.visible;
+    const shadows::VisibleSampleMemory& visible = frame.buffers.visible;
     const raster::TriangleSet& triangles = frame.buffers.triangles;
     std::vector<float> on_plane(factor.size());
     for (const ShadowReceiver& receiver : planned.receivers) {

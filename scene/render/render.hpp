@@ -13,7 +13,7 @@
 #include "raster/vertex_stage.hpp"
 #include "scene/plan/plan.hpp"
 #include "scene/scene.hpp"
-#include "shadows/visible_frame.hpp"
+#include "shadows/visible_sample_memory.hpp"
 
 namespace kreda::scene {
 
@@ -37,7 +37,7 @@ struct RenderBuffers {
     std::vector<raster::MeshInstance> instances;
     raster::VertexStreams streams;
     raster::TriangleSet triangles;
-    shadows::VisibleFrame visible;                      ///< all samples at once, for shadows that are found that way
+    shadows::VisibleSampleMemory visible;               ///< all samples at once, for shadows that are found that way
     std::vector<ShadowMemory> shadows;                  ///< one for each of the plan's shadows
     std::vector<std::vector<glm::vec3>> flat_color;     ///< flat shading: one a triangle, chunk by chunk
     std::vector<std::unique_ptr<TileScratch>> scratch;  ///< one a thread

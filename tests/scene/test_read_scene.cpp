@@ -39,7 +39,7 @@ TEST_CASE("An empty scene file is an empty scene with the documented defaults") 
     CHECK(scene.camera.far == 100.0f);
     CHECK(scene.shading.frequency == ShadingFrequency::phong);
     CHECK(scene.shading.interpolation == Interpolation::perspective);
-    CHECK(scene.shading.cull == Cull::back);
+    CHECK(scene.shading.cull == raster::CullMode::back);
     CHECK(scene.ambient == glm::vec3(0.05f));
     CHECK(scene.fog.mode == lighting::FogMode::none);
     CHECK(scene.fog.color == glm::vec3(0.6f, 0.65f, 0.7f));
@@ -276,7 +276,7 @@ frequency = "vertex"
     CHECK(scene.camera.far == 9.0f);
     CHECK(scene.shading.frequency == ShadingFrequency::gouraud);
     CHECK(scene.shading.interpolation == Interpolation::affine);
-    CHECK(scene.shading.cull == Cull::none);
+    CHECK(scene.shading.cull == raster::CullMode::none);
     CHECK(scene.ambient == glm::vec3(1.0f, 2.0f, 3.0f));
     CHECK(scene.fog.mode == lighting::FogMode::exp2);
     CHECK(scene.fog.color == glm::vec3(3.0f, 2.0f, 1.0f));
@@ -340,9 +340,9 @@ TEST_CASE("Each word stands for the enumerator of its name") {
     CHECK(shading("frequency = 'phong'").frequency == ShadingFrequency::phong);
     CHECK(shading("interpolation = 'perspective'").interpolation == Interpolation::perspective);
     CHECK(shading("interpolation = 'affine'").interpolation == Interpolation::affine);
-    CHECK(shading("cull = 'back'").cull == Cull::back);
-    CHECK(shading("cull = 'front'").cull == Cull::front);
-    CHECK(shading("cull = 'none'").cull == Cull::none);
+    CHECK(shading("cull = 'back'").cull == raster::CullMode::back);
+    CHECK(shading("cull = 'front'").cull == raster::CullMode::front);
+    CHECK(shading("cull = 'none'").cull == raster::CullMode::none);
     const auto image = [](const std::string& line) { return read_text("[image]\n" + line).image; };
     CHECK(image("tone_map = 'none'").tone_map == ToneMap::none);
     CHECK(image("tone_map = 'reinhard'").tone_map == ToneMap::reinhard);

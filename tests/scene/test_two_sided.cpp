@@ -129,7 +129,7 @@ TEST_CASE("Two-sided: a square from behind is bit for bit the reversed square fr
             Scene reversed = scene;
             reverse(reversed.objects[0], true);
             CHECK(render(scene).values == render(reversed).values);
-            reversed.shading.cull = Cull::back;
+            reversed.shading.cull = raster::CullMode::back;
             CHECK(render(scene).values == render(reversed).values);
         }
     }
@@ -155,7 +155,7 @@ TEST_CASE("Two-sided: a ball wound inwards looks like the ball with or without n
             reverse(inwards.objects[0], normals_too);
             CHECK(difference(render(scene), render(inwards)) < (frequency == "flat" ? 1e-6f : 1e-30f));
             Scene culled = scene;
-            culled.shading.cull = Cull::back;
+            culled.shading.cull = raster::CullMode::back;
             CHECK(render(scene).values == render(culled).values);
         }
     }

@@ -10,7 +10,7 @@
 #include "raster/shapes.hpp"
 #include "raster/triangle_setup.hpp"
 #include "shadows/light_ray.hpp"
-#include "shadows/visible_frame.hpp"
+#include "shadows/visible_sample_memory.hpp"
 
 namespace kreda::tests {
 
@@ -23,7 +23,7 @@ struct ShadowScene {
     std::vector<raster::MeshInstance> instances;
     raster::VertexStreams streams;
     raster::TriangleSet set;
-    shadows::VisibleFrame frame;
+    shadows::VisibleSampleMemory frame;
     std::vector<shadows::Occluder> occluders;
 
     /// Add a mesh at a place.

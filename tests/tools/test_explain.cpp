@@ -53,7 +53,7 @@ const tools::Table* find_table(const tools::Section& section, const std::string&
     return nullptr;
 }
 
-/// Every eleventh pixel, in a pattern that meets all columns and rows.
+/// Every seventeenth pixel, in a pattern that meets all columns and rows.
 template <class Visit>
 void for_some_pixels(const scene::Scene& scene, Visit visit) {
     for (int i = 0; i < scene.image.width * scene.image.height; i += 17) {

@@ -130,10 +130,11 @@ std::vector<NamedScene> make_scenes() {
         s.fog.distance = static_cast<lighting::FogDistance>(i % 2);
         s.fog.frequency = static_cast<lighting::FogFrequency>(i / 3);
         s.image.samples = 1 + i % 4;
-        s.shading.cull = static_cast<scene::Cull>(i % 3);
+        s.shading.cull = static_cast<raster::CullMode>(i % 3);
         s.camera.projection = i == 5 ? raster::Projection::orthographic : raster::Projection::perspective;
         scenes.push_back({"fog " + std::to_string(i), s});
     }
+    constexpr raster::CullMode kCulls[] = {raster::CullMode::none, raster::CullMode::back, raster::CullMode::front};
     for (int i = 0; i < 9; ++i) {  // all lights cast: one picture, six pictures, one
         scene::Scene s = base_scene(ReflectionModel::blinn_phong);
         for (lighting::Light& light : s.lights) light.shadow = true;
@@ -141,7 +142,7 @@ std::vector<NamedScene> make_scenes() {
         s.shadow.filter = static_cast<shadows::ShadowFilter>(i % 3);
         s.shadow.bias = static_cast<shadows::ShadowBias>(i % 4);
         s.shadow.radius = 1 + i % 2;
-        s.shadow.cull = static_cast<shadows::CasterCull>(i / 3);
+        s.shadow.cull = kCulls[i / 3];
         s.shading.frequency = static_cast<scene::ShadingFrequency>(i < 6 ? 2 : i % 3);
         scenes.push_back({"shadow map " + std::to_string(i), s});
     }

@@ -125,7 +125,7 @@ struct SeenSample {
 };
 
 SeenSample seen_sample(const LitPoint& point) {
-    const shadows::VisibleFrame& visible = point.frame.buffers.visible;
+    const shadows::VisibleSampleMemory& visible = point.frame.buffers.visible;
     const std::size_t i = point.points.sample[0];
     const int width = visible.viewport.width;
     const std::uint32_t triangle = visible.triangle[i];

@@ -1,4 +1,4 @@
-#include "shadows/screen_triangles.hpp"
+#include "shadows/projected_triangles.hpp"
 
 #include <algorithm>
 #include <array>
@@ -20,7 +20,7 @@ std::int64_t floor_division(std::int64_t a, std::int64_t b) {
 }
 
 /// Orient clockwise, and keep the triangle if it may cover a sample of the image.
-void append(ScreenTriangle t, const raster::Viewport& viewport, std::vector<ScreenTriangle>& triangles) {
+void append(ProjectedTriangle t, const raster::Viewport& viewport, std::vector<ProjectedTriangle>& triangles) {
     const std::int64_t area2 = raster::edge_function(t.a.x, t.a.y, t.b.x, t.b.y, t.c.x, t.c.y);
     if (area2 == 0) return;
     t.is_front = area2 < 0;
@@ -30,7 +30,7 @@ void append(ScreenTriangle t, const raster::Viewport& viewport, std::vector<Scre
 }
 
 void append_fan(const raster::ClipPolygon& polygon, const raster::Viewport& viewport,
-                std::vector<ScreenTriangle>& triangles) {
+                std::vector<ProjectedTriangle>& triangles) {
     std::array<ScreenVertex, raster::ClipPolygon::kMaxCorners> corner;
     for (int i = 0; i < polygon.count; ++i) corner[i] = to_screen(polygon.vertex[i].position, viewport);
     if (polygon.count < 3) return;
@@ -54,7 +54,7 @@ void narrow(const ScreenVertex& a, const ScreenVertex& b, int y, SampleSpan& spa
 }  // namespace
 
 void append_on_screen(const glm::vec4& a, const glm::vec4& b, const glm::vec4& c, const raster::Viewport& viewport,
-                      std::vector<ScreenTriangle>& triangles) {
+                      std::vector<ProjectedTriangle>& triangles) {
     const float guard_x = raster::guard_band_ndc(viewport.width);
     const float guard_y = raster::guard_band_ndc(viewport.height);
     const auto fits = [&](const glm::vec4& p) { return raster::inside_guard_band(p, guard_x, guard_y); };
@@ -66,7 +66,7 @@ void append_on_screen(const glm::vec4& a, const glm::vec4& b, const glm::vec4& c
     }
 }
 
-SampleSpan covered_in_row(const ScreenTriangle& t, int y, int width) {
+SampleSpan covered_in_row(const ProjectedTriangle& t, int y, int width) {
     SampleSpan span{0, width - 1};
     narrow(t.a, t.b, y, span);
     narrow(t.b, t.c, y, span);

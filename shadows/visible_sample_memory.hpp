@@ -8,7 +8,7 @@
 namespace kreda::shadows {
 
 /// The memory of VisibleSamples, and which triangle is seen.
-struct VisibleFrame {
+struct VisibleSampleMemory {
     raster::Viewport viewport;
     glm::mat4 clip_from_world{1.0f};
     raster::AlignedVector<float> depth;             ///< raster::kClearDepth where nothing is seen
@@ -24,6 +24,6 @@ struct VisibleFrame {
 /// streams hold positions, and `frame` keeps its memory from call to call.
 void find_visible(const raster::VertexStreams& streams, const raster::TriangleSet& set,
                   raster::AttributeInterpolation interpolation, const raster::Viewport& viewport,
-                  const glm::mat4& clip_from_world, VisibleFrame& frame);
+                  const glm::mat4& clip_from_world, VisibleSampleMemory& frame);
 
 }  // namespace kreda::shadows

@@ -1,4 +1,4 @@
-#include "shadows/visible_frame.hpp"
+#include "shadows/visible_sample_memory.hpp"
 
 #include <algorithm>
 #include <memory>
@@ -18,7 +18,7 @@ struct Scratch {
     raster::Fragments fragments;
 };
 
-void copy_visibility(const raster::TileVisibility& tile, const raster::TileArea& area, VisibleFrame& frame) {
+void copy_visibility(const raster::TileVisibility& tile, const raster::TileArea& area, VisibleSampleMemory& frame) {
     for (int y = 0; y < area.height; ++y) {
         const std::size_t to = static_cast<std::size_t>(area.y + y) * frame.viewport.width + area.x;
         std::copy_n(&tile.depth[y * kTileSide], area.width, &frame.depth[to]);
@@ -31,7 +31,7 @@ void copy_visibility(const raster::TileVisibility& tile, const raster::TileArea&
 
 void find_visible(const raster::VertexStreams& streams, const raster::TriangleSet& set,
                   raster::AttributeInterpolation interpolation, const raster::Viewport& viewport,
-                  const glm::mat4& clip_from_world, VisibleFrame& frame) {
+                  const glm::mat4& clip_from_world, VisibleSampleMemory& frame) {
     frame.viewport = viewport;
     frame.clip_from_world = clip_from_world;
     const std::size_t count = static_cast<std::size_t>(viewport.width) * viewport.height;

@@ -13,7 +13,7 @@
 namespace kreda::shadows {
 
 /// A triangle on the sample grid, clockwise with y down; corners in the order in which the rasterizer would hold them.
-struct ScreenTriangle {
+struct ProjectedTriangle {
     raster::ScreenVertex a, b, c;
     bool is_front = true;  ///< counter-clockwise as it was given: the camera sees its front
 };
@@ -22,13 +22,13 @@ struct ScreenTriangle {
 /// lies beyond the far plane is kept, with z > 1: whatever is seen is nearer. Where the rasterizer would draw the
 /// triangle, its pieces and their depth planes are the rasterizer's to the last bit.
 void append_on_screen(const glm::vec4& a, const glm::vec4& b, const glm::vec4& c, const raster::Viewport& viewport,
-                      std::vector<ScreenTriangle>& triangles);
+                      std::vector<ProjectedTriangle>& triangles);
 
 /// The samples of a row that the triangle covers: first .. last, none if first > last. Exact, the same as asking
 /// raster::covers_sample for each.
 struct SampleSpan {
     int first = 0, last = -1;
 };
-[[nodiscard]] SampleSpan covered_in_row(const ScreenTriangle& triangle, int y, int width);
+[[nodiscard]] SampleSpan covered_in_row(const ProjectedTriangle& triangle, int y, int width);
 
 }  // namespace kreda::shadows

@@ -4,7 +4,7 @@
 #include "raster/depth.hpp"
 #include "raster/overdraw.hpp"
 #include "shadow_scene.hpp"
-#include "shadows/screen_triangles.hpp"
+#include "shadows/projected_triangles.hpp"
 #include "tests/raster/random_scenes.hpp"
 
 using namespace kreda;
@@ -12,7 +12,7 @@ using namespace kreda::tests;
 
 namespace {
 
-shadows::ScreenTriangle random_triangle(Random& random) {
+shadows::ProjectedTriangle random_triangle(Random& random) {
     const auto corner = [&] {
         raster::ScreenVertex v;
         const int reach = random.integer(0, 3) == 0 ? 4'000'000 : 20 * 256;
@@ -22,7 +22,7 @@ shadows::ScreenTriangle random_triangle(Random& random) {
         if (random.integer(0, 2) == 0) v.y = v.y / 256 * 256 + 128;
         return v;
     };
-    shadows::ScreenTriangle t{corner(), corner(), corner()};
+    shadows::ProjectedTriangle t{corner(), corner(), corner()};
     if (raster::edge_function(t.a.x, t.a.y, t.b.x, t.b.y, t.c.x, t.c.y) < 0) std::swap(t.b, t.c);
     return t;
 }
@@ -40,7 +40,7 @@ TEST_CASE("screen triangles: the span of a row holds the samples that the edge f
     Random random(1);
     int covered = 0;
     for (int round = 0; round < 3000; ++round) {
-        const shadows::ScreenTriangle t = random_triangle(random);
+        const shadows::ProjectedTriangle t = random_triangle(random);
         for (int y = 0; y < 16; ++y) {
             const shadows::SampleSpan span = covered_in_row(t, y, 16);
             for (int x = 0; x < 16; ++x) {
@@ -62,7 +62,7 @@ TEST_CASE("screen triangles: before the far plane they cover what the rasterizer
         scene.camera.far = 20.0f;
         scene.add(scattered(random));
         scene.draw();
-        std::vector<shadows::ScreenTriangle> triangles;
+        std::vector<shadows::ProjectedTriangle> triangles;
         const raster::Mesh& mesh = scene.meshes[0];
         const auto clip = [&](std::uint32_t v) { return scene.clip_from_world() * glm::vec4(mesh.positions[v], 1.0f); };
         for (std::size_t i = 0; i < mesh.indices.size(); i += 3) {
@@ -71,7 +71,7 @@ TEST_CASE("screen triangles: before the far plane they cover what the rasterizer
         }
         std::vector<std::uint32_t> covered(40 * 30, 0);
         raster::AlignedVector<float> nearest(40 * 30, raster::kClearDepth);
-        for (const shadows::ScreenTriangle& t : triangles) {
+        for (const shadows::ProjectedTriangle& t : triangles) {
             const raster::DepthPlane plane =
                 raster::depth_plane(t.a, t.b, t.c, raster::edge_function(t.a.x, t.a.y, t.b.x, t.b.y, t.c.x, t.c.y));
             for (int y = 0; y < 30; ++y) {
@@ -98,14 +98,14 @@ TEST_CASE("screen triangles: beyond the far plane nothing is lost and nothing is
         const auto coverage = [&](float far) {
             scene.camera.far = far;
             std::vector<std::uint32_t> covered(40 * 30, 0);
-            std::vector<shadows::ScreenTriangle> triangles;
+            std::vector<shadows::ProjectedTriangle> triangles;
             for (std::size_t i = 0; i < 90; i += 3) {
                 glm::vec4 c[3];
                 for (int k = 0; k < 3; ++k)
                     c[k] = scene.clip_from_world() * glm::vec4(scene.meshes[0].positions[i + k], 1.0f);
                 append_on_screen(c[0], c[1], c[2], scene.viewport, triangles);
             }
-            for (const shadows::ScreenTriangle& t : triangles) {
+            for (const shadows::ProjectedTriangle& t : triangles) {
                 for (int y = 0; y < 30; ++y) {
                     const shadows::SampleSpan span = covered_in_row(t, y, 40);
                     for (int x = span.first; x <= span.last; ++x) ++covered[y * 40 + x];

@@ -1,0 +1,15 @@
+// Which side of a triangle is left out.
+#pragma once
+
+namespace kreda::raster {
+
+/// The front is the side from which the corners go round counter-clockwise.
+enum class CullMode { back, front, none };
+
+/// For a mesh whose transform mirrors: it turns counter-clockwise into clockwise, and what was the back is the front.
+[[nodiscard]] inline CullMode cull_mode_for(CullMode cull, bool mirrored) {
+    if (!mirrored || cull == CullMode::none) return cull;
+    return cull == CullMode::back ? CullMode::front : CullMode::back;
+}
+
+}  // namespace kreda::raster
