@@ -11,6 +11,7 @@ void add_render_command(CLI::App& app);
 void add_plan_command(CLI::App& app);
 void add_explain_command(CLI::App& app);
 void add_stages_command(CLI::App& app);
+void add_sweep_command(CLI::App& app);
 void add_bake_command(CLI::App& app);
 void add_compare_command(CLI::App& app);
 void add_grade_command(CLI::App& app);

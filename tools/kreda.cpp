@@ -28,6 +28,7 @@ Examples:
   kreda plan scene.toml --why-not                 which passes the scene requires, and why
   kreda stages scene.toml -o stages               every stage a picture; open stages/index.html
   kreda explain scene.toml --pixel 320,180        every formula of one pixel with its numbers
+  kreda sweep scene.toml --set fog.density=0.1,0.2,0.4 -o sheet.png   a table of pictures
   kreda bake dawn.hdr -o dawn                     the maps of light from an image as EXR files
   kreda compare mine.png golden.png               the same within limits? where not?
   kreda grade anna --rubric A3/rubric.toml        a student's work, boxed and marked
@@ -90,6 +91,7 @@ int main(int argc, char** argv) {
         kreda::tools::add_plan_command(app);
         kreda::tools::add_explain_command(app);
         kreda::tools::add_stages_command(app);
+        kreda::tools::add_sweep_command(app);
         kreda::tools::add_bake_command(app);
         kreda::tools::add_compare_command(app);
         kreda::tools::add_grade_command(app);

@@ -16,6 +16,7 @@ struct CameraTable {
     raster::Camera camera;
     glm::dvec3 position{camera.position};
     glm::dvec3 target{camera.target};
+    float orbit_deg = 0.0f;  ///< about the axis `up` through the target, counter-clockwise seen from above
 };
 
 /// [[light]]

@@ -37,6 +37,7 @@ const std::vector<Key<CameraTable>>& camera_keys() {
             row<T>("position", &T::position, "where the camera is", {.range = kPlace}),
             row<T>("target", &T::target, "the point it looks at", {.range = kPlace}),
             row<T>("up", camera(&C::up), "what is up in the picture"),
+            row<T>("orbit", &T::orbit_deg, "degrees that the camera goes round the target, about the axis up"),
             row<T>("projection", camera(&C::projection), "how depth becomes size",
                    {.words = {"perspective", "orthographic"}}),
             row<T>("vertical_fov", camera(&C::vertical_fov_deg), "perspective: degrees from bottom to top",

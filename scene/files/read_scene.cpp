@@ -8,6 +8,7 @@
 #include <fstream>
 
 #include <glm/geometric.hpp>
+#include <glm/trigonometric.hpp>
 
 #include "scene/files/file_content.hpp"
 #include "scene/files/file_key.hpp"
@@ -73,12 +74,22 @@ void check_view(const Value& table, const Placements& placements, const raster::
     }
 }
 
+/// The position after going round the target by so many degrees; 0 changes no bit.
+glm::dvec3 orbited_position(const CameraTable& read) {
+    if (read.orbit_deg == 0.0f) return read.position;
+    const double angle = glm::radians(static_cast<double>(read.orbit_deg));
+    const glm::dvec3 up = glm::normalize(glm::dvec3(read.camera.up)), arm = read.position - read.target;
+    const glm::dvec3 along = glm::dot(arm, up) * up;
+    return read.target + along + std::cos(angle) * (arm - along) + std::sin(angle) * glm::cross(up, arm);
+}
+
 raster::Camera read_camera(const Value& table, Placements& placements) {
     CameraTable read;
     read_keys(table, camera_keys(), read);
     placements.camera_position = read.position;
     placements.camera_target = read.target;
     check_view(table, placements, read.camera);
+    placements.camera_position = orbited_position(read);
     if (read.camera.far <= read.camera.near) {
         const Place& place = place_of(table, find(table, "far") ? "far" : "near");
         throw UserError(place, "'far' in [camera] must be greater than 'near'");

@@ -1,0 +1,66 @@
+#include "tools/sweep/sweep.hpp"
+
+#include <algorithm>
+#include <cstdlib>
+
+#include "raster/film.hpp"
+#include "scene/files/image_file.hpp"
+#include "scene/plan/plan.hpp"
+
+namespace kreda::tools {
+
+namespace {
+
+raster::Image three_channels(const raster::Image& image) {
+    if (image.channels == 3) return image;
+    raster::Image rgb = raster::make_image(image.width, image.height, 3);
+    for (int c = 0; c < 3; ++c) std::copy_n(image.plane(0), image.plane_size(), rgb.plane(c));
+    return rgb;
+}
+
+}  // namespace
+
+raster::Image SweepRenderer::draw(const std::vector<std::string>& values) {
+    SceneOptions options = options_;
+    options.read.overrides.insert(options.read.overrides.end(), values.begin(), values.end());
+    scene::Scene scene = load_scene(options);
+    const scene::RenderPlan plan = view_ ? make_plan(scene, {view_}) : make_plan(scene);
+    bake_scene(scene, cache_);
+    render(scene, plan, buffers_, threads_);
+    return view_ ? three_channels(picture_of(*view_, buffers_.views[0], scene).encoded)
+                 : raster::develop(buffers_.film, film_settings(scene.image));
+}
+
+glm::ivec2 SweepRenderer::picture_size() {
+    const scene::Scene scene = load_scene(options_);
+    return {scene.image.width, scene.image.height};
+}
+
+void SweepRenderer::set_size(glm::ivec2 size) {
+    options_.size = std::to_string(size.x) + "x" + std::to_string(size.y);
+}
+
+PictureError picture_error(const raster::Image& actual, const raster::Image& expected) {
+    PictureError error;
+    double sum = 0.0;
+    for (std::size_t i = 0; i < actual.values.size(); ++i) {
+        const int difference = std::abs(int{scene::byte_from_encoded(actual.values[i])} -
+                                        int{scene::byte_from_encoded(expected.values[i])});
+        sum += difference;
+        error.worst = std::max(error.worst, difference);
+    }
+    error.mean = actual.values.empty() ? 0.0 : sum / static_cast<double>(actual.values.size());
+    return error;
+}
+
+raster::Image picture_difference(const raster::Image& actual, const raster::Image& expected) {
+    raster::Image difference = actual;
+    for (std::size_t i = 0; i < actual.values.size(); ++i) {
+        const int codes =
+            int{scene::byte_from_encoded(actual.values[i])} - int{scene::byte_from_encoded(expected.values[i])};
+        difference.values[i] = static_cast<float>(std::clamp(128 + 4 * codes, 0, 255)) / 255.0f;
+    }
+    return difference;
+}
+
+}  // namespace kreda::tools
