@@ -1,0 +1,133 @@
+"""Where the number beside a symbol comes from: a pixel that `kreda explain` tells, a page's debugger session, a checked number.
+
+A value is written in docs/symbols.toml as one of
+  explain D             the symbol D of the page's pixel; "explain light_0/s" names the section, "explain q[1]" a part of it
+  channel n_dot_l       a channel of the page's pixel
+  session print n       what gdb printed for that command on the page; "session n_dot_l" a line "n_dot_l = ..." of it
+  number peak           the page's mark <!-- number: peak = ... -->
+  calc 2*pi/4           worked out here; {x} is the value of symbol x of the same page
+CTest replays the sessions and checks the marks, so each of them is a number that a program computed.
+"""
+import json
+import math
+import re
+import subprocess
+
+NAMES = {name: getattr(math, name) for name in ("pi", "e", "sqrt", "exp", "log", "log2", "cos", "sin", "tan", "acos",
+                                                "atan", "atan2", "radians", "degrees", "hypot", "floor")}
+NAMES.update(max=max, min=min, abs=abs, sum=sum, dot=lambda a, b: sum(x * y for x, y in zip(a, b)))
+
+
+class NoValue(Exception):
+    pass
+
+
+def shown(value):
+    """Six digits at most, vectors in brackets."""
+    if isinstance(value, (list, tuple)):
+        return "(" + ", ".join(shown(v) for v in value) + ")"
+    return f"{value:.6g}" if isinstance(value, float) else str(value)
+
+
+def parsed(text):
+    """"(0, 1, 0)" -> [0.0, 1.0, 0.0], "0.5" -> 0.5; other words as they are."""
+    number = r"-?(?:\d+\.?\d*(?:e[-+]?\d+)?)"
+    if re.fullmatch(number, text):
+        return float(text)
+    if re.fullmatch(rf"\({number}(?:, {number})*\)", text):
+        return [float(part) for part in text[1:-1].split(", ")]
+    return text
+
+
+class Pixels:
+    """The pixels of symbols.toml, explained once each."""
+
+    def __init__(self, root, table, kreda):
+        self.root, self.table, self.kreda, self.told = root, table, kreda, {}
+
+    def explain(self, name):
+        if name not in self.table:
+            raise NoValue(f"there is no pixel '{name}'")
+        if name not in self.told:
+            entry = self.table[name]
+            if not self.kreda.exists():
+                raise NoValue(f"{self.kreda} is not built")
+            command = [str(self.kreda), "explain", str(self.root / entry["scene"]), "--pixel",
+                       ",".join(map(str, entry["at"])), "--format", "json"]
+            done = subprocess.run(command, capture_output=True, text=True, encoding="utf-8")
+            if done.returncode != 0:
+                raise NoValue(done.stderr.strip())
+            self.told[name] = json.loads(done.stdout)
+        return self.told[name]
+
+    def symbol(self, name, wanted):
+        section, _, symbol = wanted.rpartition("/")
+        symbol, part = re.fullmatch(r"(.*?)(?:\[(\d+)\])?", symbol).groups()
+        for told in self.explain(name)["sections"]:
+            if section not in ("", told["id"]):
+                continue
+            for item in told["items"]:
+                if item.get("symbol") == symbol and "value" in item:
+                    return item["value"][int(part)] if part else item["value"]
+        raise NoValue(f"pixel '{name}' tells no symbol {wanted}")
+
+    def channel(self, name, wanted):
+        for told in self.explain(name)["sections"]:
+            for item in told["items"]:
+                if item.get("table") == "channels":
+                    for row in item["rows"]:
+                        if row[0] == wanted:
+                            return parsed(row[1])
+        raise NoValue(f"pixel '{name}' has no channel {wanted}")
+
+
+def from_session(markdown, wanted):
+    session = "\n".join(re.findall(r"^```gdb\n(.*?)^```", markdown, re.S | re.M)).splitlines()
+    if wanted.startswith("print "):
+        for line, answer in zip(session, session[1:]):
+            if line == f"(gdb) {wanted}" and "=" in answer:
+                return parsed(answer.split("= ", 1)[1])
+    for line in session:
+        if line.startswith(f"{wanted} = "):
+            return parsed(line.split(" = ", 1)[1])
+    raise NoValue(f"the session of the page does not show '{wanted}'")
+
+
+def from_mark(markdown, key):
+    mark = re.search(rf"<!-- number: {re.escape(key)} = (\S+) -->", markdown)
+    if not mark:
+        raise NoValue(f"the page has no number '{key}'")
+    return float(mark.group(1))
+
+
+def calculated(expression, lookup):
+    """`lookup(symbol)` gives the value of another symbol."""
+    names = dict(NAMES)
+
+    def insert(match):
+        name = f"v{len(names)}"
+        names[name] = lookup(match.group(1))
+        return name
+    text = re.sub(r"\{((?:[^{}]|\{[^{}]*\})+)\}", insert, expression)
+    try:
+        return eval(text, {"__builtins__": {}}, names)  # the repository's own file, not a visitor's
+    except (TypeError, NameError, SyntaxError, ValueError, ZeroDivisionError) as error:
+        raise NoValue(f"cannot work out {expression}: {error}") from error
+
+
+def find(source, page, pixel, pixels, lookup):
+    """(value, where it comes from in words)."""
+    kind, _, wanted = source.partition(" ")
+    if kind == "explain":
+        at = pixels.table.get(pixel, {"at": "?", "scene": "?"})
+        return pixels.symbol(pixel, wanted), f"at pixel {tuple(at['at'])} of {at['scene']}"
+    if kind == "channel":
+        at = pixels.table.get(pixel, {"at": "?", "scene": "?"})
+        return pixels.channel(pixel, wanted), f"at pixel {tuple(at['at'])} of {at['scene']}"
+    if kind == "session":
+        return from_session(page.markdown, wanted), "in the session below"
+    if kind == "number":
+        return from_mark(page.markdown, wanted), "as worked out on this page"
+    if kind == "calc":
+        return calculated(wanted, lookup), "as worked out on this page"
+    raise NoValue(f"'{kind}' is no source of values")
