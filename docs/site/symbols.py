@@ -1,11 +1,15 @@
 """Every symbol of a numbered equation as a link: docs/symbols.toml says what each is, this finds it in the MathML."""
 import html
 import re
-import tomllib
 import xml.etree.ElementTree as ElementTree
 
 import pandoc
 import values
+
+try:
+    import tomllib
+except ImportError as absent:  # Python before 3.11
+    raise SystemExit("docs: Python 3.11 or newer is needed, for its tomllib") from absent
 
 NAMESPACE = "http://www.w3.org/1998/Math/MathML"
 # Words of the formula's language: constants, functions and connectives need no explanation.

@@ -3,6 +3,7 @@
 A value is written in docs/symbols.toml as one of
   explain D             the symbol D of the page's pixel; "explain light_0/s" names the section, "explain q[1]" a part of it
   channel n_dot_l       a channel of the page's pixel
+  row spaces/object     a row of a table of the page's pixel; "row view_from_world" a whole matrix
   session print n       what gdb printed for that command on the page; "session n_dot_l" a line "n_dot_l = ..." of it
   number peak           the page's mark <!-- number: peak = ... -->
   calc 2*pi/4           worked out here; {x} is the value of symbol x of the same page
@@ -15,7 +16,7 @@ import subprocess
 
 NAMES = {name: getattr(math, name) for name in ("pi", "e", "sqrt", "exp", "log", "log2", "cos", "sin", "tan", "acos",
                                                 "atan", "atan2", "radians", "degrees", "hypot", "floor")}
-NAMES.update(max=max, min=min, abs=abs, sum=sum, dot=lambda a, b: sum(x * y for x, y in zip(a, b)))
+NAMES.update(tuple=tuple, max=max, min=min, abs=abs, sum=sum, dot=lambda a, b: sum(x * y for x, y in zip(a, b)))
 
 
 class NoValue(Exception):
@@ -53,7 +54,7 @@ class Pixels:
             if not self.kreda.exists():
                 raise NoValue(f"{self.kreda} is not built")
             command = [str(self.kreda), "explain", str(self.root / entry["scene"]), "--pixel",
-                       ",".join(map(str, entry["at"])), "--format", "json"]
+                       ",".join(map(str, entry["at"])), "--format", "json", "--no-cache"]
             done = subprocess.run(command, capture_output=True, text=True, encoding="utf-8")
             if done.returncode != 0:
                 raise NoValue(done.stderr.strip())
@@ -80,6 +81,18 @@ class Pixels:
                             return parsed(row[1])
         raise NoValue(f"pixel '{name}' has no channel {wanted}")
 
+    def row(self, name, wanted):
+        table, _, first = wanted.partition("/")
+        for told in self.explain(name)["sections"]:
+            for item in told["items"]:
+                if item.get("table") == table:
+                    for row in item["rows"]:
+                        if row[0] == first:
+                            return parsed(row[1])
+                    if not first:
+                        return [[float(cell) for cell in row] for row in item["rows"]]
+        raise NoValue(f"pixel '{name}' has no row {wanted}")
+
 
 def from_session(markdown, wanted):
     session = "\n".join(re.findall(r"^```gdb\n(.*?)^```", markdown, re.S | re.M)).splitlines()
@@ -90,6 +103,8 @@ def from_session(markdown, wanted):
     for line in session:
         if line.startswith(f"{wanted} = "):
             return parsed(line.split(" = ", 1)[1])
+        if line == wanted:
+            return parsed(line)
     raise NoValue(f"the session of the page does not show '{wanted}'")
 
 
@@ -110,7 +125,7 @@ def calculated(expression, lookup):
         return name
     text = re.sub(r"\{((?:[^{}]|\{[^{}]*\})+)\}", insert, expression)
     try:
-        return eval(text, {"__builtins__": {}}, names)  # the repository's own file, not a visitor's
+        return eval(text, {"__builtins__": {}, **names})  # the repository's own file, not a visitor's
     except (TypeError, NameError, SyntaxError, ValueError, ZeroDivisionError) as error:
         raise NoValue(f"cannot work out {expression}: {error}") from error
 
@@ -118,12 +133,12 @@ def calculated(expression, lookup):
 def find(source, page, pixel, pixels, lookup):
     """(value, where it comes from in words)."""
     kind, _, wanted = source.partition(" ")
-    if kind == "explain":
-        at = pixels.table.get(pixel, {"at": "?", "scene": "?"})
-        return pixels.symbol(pixel, wanted), f"at pixel {tuple(at['at'])} of {at['scene']}"
-    if kind == "channel":
-        at = pixels.table.get(pixel, {"at": "?", "scene": "?"})
-        return pixels.channel(pixel, wanted), f"at pixel {tuple(at['at'])} of {at['scene']}"
+    if kind in ("explain", "channel", "row"):
+        if pixel not in pixels.table:
+            raise NoValue(f"there is no pixel '{pixel}'")
+        read = {"explain": pixels.symbol, "channel": pixels.channel, "row": pixels.row}[kind]
+        entry = pixels.table[pixel]
+        return read(pixel, wanted), f"at pixel ({', '.join(map(str, entry['at']))}) of {entry['scene']}"
     if kind == "session":
         return from_session(page.markdown, wanted), "in the session below"
     if kind == "number":
