@@ -63,7 +63,7 @@ def picture_file(path, out_examples):
 def copy_pictures(found, site, out_examples):
     for page in found:
         folder = Path(page.source).parent
-        for target in re.findall(r"!\[[^\]]*\]\(([^):]+)\)", page.markdown):
+        for target in re.findall(r"\]\(([^):]+\.png)\)", page.markdown):
             path = str((ROOT / folder / target).resolve().relative_to(ROOT))
             to = site / "pictures" / path.replace("tests/golden/", "").replace("docs/images/", "docs/")
             to.parent.mkdir(parents=True, exist_ok=True)
@@ -108,7 +108,7 @@ class Site:
             licence = pages.read_page(ROOT, LICENCE.source)
             licence.file = LICENCE.file
             self.pages.append(licence)
-        self.metadata = folder / "pages.json"
+        self.metadata = folder / "pages.lua"
         self.sources = set()
 
     def write(self, page, body, **more):
@@ -156,14 +156,22 @@ class Site:
     def build(self):
         shutil.rmtree(self.folder, ignore_errors=True)
         self.folder.mkdir(parents=True)
-        self.metadata.write_text(json.dumps({"files": {p.source: p.file for p in self.pages}}))
+        lines = "".join(f"  [{json.dumps(p.source)}] = {json.dumps(p.file)},\n" for p in self.pages)
+        self.metadata.write_text(f"return {{\n{lines}}}\n", encoding="utf-8")
         self.symbols = symbols.Symbols(ROOT, self.lessons, self.kreda)
         self.glossary = glossary.Glossary(ROOT)
         for name in ("style.css", "site.js", "icon.svg"):
             shutil.copyfile(SITE / name, self.folder / name)
         copy_pictures(self.pages, self.folder, self.out_examples)
         with ThreadPoolExecutor(2) as pool:
-            bodies = list(pool.map(self.convert, self.pages))
+            bodies = list(pool.map(self.convert, [p for p in self.pages if p.markdown]))
+        made = {"docs/symbols.toml": "<p>Every symbol of every numbered equation: what it is, where the code has it, and its number at one "
+                "pixel or in the page's session.</p>\n" + self.symbols.list_of_all(),
+                "docs/references.bib": pandoc.references(ROOT / "docs/references.bib")}
+        for page in self.pages:
+            if page.source in made:
+                self.write(page, made[page.source], kind="guide")
+                bodies.append((page, made[page.source] if page.source.endswith(".bib") else ""))
         home = pages.Page("docs/site/index.html", "index.html", "A rasterizer to teach lighting with")
         self.write(home, index_body(self.lessons), heading=" ", kind="home")
         search_index.write(self.folder / "search_index.js", bodies, self.symbols, self.glossary)

@@ -1,6 +1,6 @@
 -- What pandoc's reader leaves to do: links and pictures lead into the site, equations get numbers, pictures captions.
--- Metadata from build_site.py: `folder` is where the page stands in the repository ("docs"), `files` maps each page's source
--- to its file in the site.
+-- Metadata from build_site.py: `folder` is where the page stands in the repository ("docs"), `pages` a file that returns a
+-- table, each page's source to its file in the site.
 local stringify = pandoc.utils.stringify
 local folder, files, equations = '', {}, {}
 
@@ -19,20 +19,22 @@ end
 
 local function Meta(meta)
   folder = meta.folder and stringify(meta.folder) or ''
-  for source, file in pairs(meta.files or {}) do files[source] = stringify(file) end
+  files = dofile(stringify(meta.pages))
 end
 
 local function Link(link)
   local target, mark = link.target:match('^([^#]*)(#?.*)$')
   if target == '' or target:match('^%a+:') then return nil end
   local path = from_root(target)
-  if path == 'docs/references.bib' then
+  if path:match('%.png$') then
+    link.target = 'pictures/' .. path:gsub('^tests/golden/', ''):gsub('^docs/images/', 'docs/')
+  elseif path == 'docs/references.bib' then
     link.target = 'references.html' .. (mark ~= '' and '#ref-' .. mark:sub(2) or '')
     link.classes:insert('cite')
   elseif files[path] then
     link.target = files[path] .. mark
   else
-    link.target = 'source/' .. path .. '.html' .. mark
+    link.target = 'source/' .. path:gsub('/', '--') .. '.html' .. mark
   end
   return link
 end
@@ -108,13 +110,14 @@ local function Strong(strong)
   return formula('\\mathbf{' .. letter .. '}' .. (prime ~= '' and "'" or ''))
 end
 
+local function subscript(index) return #index <= 2 and index or '\\mathrm{' .. index .. '}' end
+
 -- k_d, F_0, w_clip: a letter with its index, as the equations have it.
 function indexed(text)
-  local before, letter, index, after = text:match('^([%(|]*)(%a)_(%w+)([^%w_].*)$')
-  if not letter then before, letter, index, after = text:match('^([%(|]*)(%a)_(%w+)()$') end
-  if not letter or after == text then return nil end
-  if type(after) ~= 'string' then after = '' end
-  local shown = #index <= 2 and index or '\\mathrm{' .. index .. '}'
+  local before, letter, index, after = text:match('^([%(|√]*)(%a)_(%w+)(.*)$')
+  if not letter then before, letter, index, after = text:match('^([%(|√]*)([\xce\xcf][\x80-\xbf])_(%w+)(.*)$') end
+  if not letter or after:match('^_') then return nil end
+  local shown = subscript(index)
   return { pandoc.Str(before), formula(letter .. '_{' .. shown .. '}'), pandoc.Str(after) }
 end
 
@@ -125,7 +128,15 @@ local function Inlines(inlines)
     if inline.t == 'RawInline' and inline.text:match('^<!%-%-') then
       if #kept > 0 and kept[#kept].t == 'Space' then kept:remove() end
     else
-      kept:insert(inline)
+      local index, after
+      if inline.t == 'Str' then index, after = inline.text:match('^_(%w+)(.*)$') end
+      if index and #kept > 0 and kept[#kept].t == 'Strong' then  -- **l**_k
+        local letter = stringify(kept:remove())
+        kept:insert(formula('\\mathbf{' .. letter .. '}_{' .. subscript(index) .. '}'))
+        kept:insert(pandoc.Str(after))
+      else
+        kept:insert(inline)
+      end
     end
   end
   return kept

@@ -9,8 +9,8 @@ FAMILIES = {"1": "Raster", "2": "Local illumination", "3": "Fog", "4": "Reflecti
 GUIDES = {
     "To teach": [("docs/course.md", "How a lesson is made"), ("docs/teach.md", "A semester of twelve weeks"),
                  ("docs/grading.md", "Grade it"), ("docs/map.md", "The map of the sources"),
-                 ("docs/glossary.md", "Glossary in four languages"), ("docs/symbols.md", "Every symbol"),
-                 ("docs/references.md", "References")],
+                 ("docs/glossary.md", "Glossary in four languages"), ("docs/symbols.toml", "Every symbol"),
+                 ("docs/references.bib", "References")],
     "To use": [("README.md", "Kreda in a page"), ("docs/debugging.md", "Step through it"),
                ("docs/steps.md", "Every stage a picture"), ("docs/environment.md", "Light from an image"),
                ("docs/performance.md", "Performance")],
@@ -48,6 +48,9 @@ def file_of(source):
 def read_page(root, source, title=None):
     text = (root / source).read_text(encoding="utf-8")
     page = Page(source, file_of(source), "", markdown=text)
+    if not source.endswith(".md"):  # made by the site, not converted
+        page.markdown, page.title = "", title
+        return page
     heading = re.match(r"# (?:(\d\d) )?(.*)", text)
     page.number = heading.group(1) or "" if heading else ""
     page.title = title or (heading.group(2) if heading else source)

@@ -1,5 +1,6 @@
 """Pandoc, called once a page or once for many formulas. What it made of the same input before is kept beside the site."""
 import hashlib
+import json
 import re
 import shutil
 import subprocess
@@ -34,10 +35,10 @@ def run(arguments, text, reads=()):
     return done.stdout
 
 
-def fragment(markdown, metadata_file, folder, lua_filter):
+def fragment(markdown, pages, folder, lua_filter):
     """The HTML of a page's text, without head and foot. The file holds what the filter must know of all pages."""
-    return run(["-f", READER, "-t", "html5", "--mathml", "--wrap=preserve", "--metadata-file", str(metadata_file),
-                "-M", f"folder={folder}", "-L", str(lua_filter)], markdown, [metadata_file, lua_filter])
+    return run(["-f", READER, "-t", "html5", "--mathml", "--wrap=preserve", "-M", f"pages={pages}",
+                "-M", f"folder={folder}", "-L", str(lua_filter)], markdown, [pages, lua_filter])
 
 
 def source_page(code, language):
@@ -59,7 +60,18 @@ def mathml(formulas):
     return dict(zip(formulas, found))
 
 
+def names_of(bibliography):
+    """{key: "Walter et al. 2007"} of a BibTeX file."""
+    names = {}
+    for work in json.loads(run(["-f", "bibtex", "-t", "csljson"], Path(bibliography).read_text(encoding="utf-8"))):
+        authors = [" ".join(filter(None, (a.get("non-dropping-particle"), a.get("family") or a.get("literal"))))
+                   for a in work["author"]]
+        who = authors[0] if len(authors) == 1 else " & ".join(authors) if len(authors) == 2 else authors[0] + " et al."
+        names[work["id"]] = f'{who} {work["issued"]["date-parts"][0][0]}'
+    return names
+
+
 def references(bibliography):
     """The list of all works of a BibTeX file; the work with key K has the id ref-K."""
     return run(["-f", "markdown", "-t", "html5", "--wrap=preserve", "--citeproc", "--bibliography", str(bibliography),
-                "-M", "nocite=@*", "-M", "link-citations=true"], "---\nnocite: '@*'\n---\n", [bibliography])
+                "-M", "link-citations=true"], "---\nnocite: '@*'\n---\n", [bibliography])

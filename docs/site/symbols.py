@@ -63,6 +63,8 @@ class Symbols:
         self.mathml = pandoc.mathml(written)
         self.keys = {s: keys_of(parse(m)[1]) for s, m in self.mathml.items()}
         self.texts = {}
+        self.names = pandoc.names_of(root / "docs/references.bib")
+        self.rows = []
 
     def tables(self):
         yield self.table.get("shared", {})
@@ -113,6 +115,7 @@ class Symbols:
             self.problems.append(f"{page.source} ({number}): {symbol}: {error}")
             complete = False
         self.resolved += complete
+        self.rows.append((page, number, symbol, entry, file, identifier, line, told))
         measure = ", ".join(html.escape(entry[k]) for k in ("unit", "range") if entry.get(k))
         source = f'source/{file.replace("/", "--")}.html#L-{line}'
         self.entries.append({"t": f"{entry['is']}", "u": f"{page.file}#eq-{number}", "k": f"symbol, {page.number} {page.title}",
@@ -191,9 +194,28 @@ class Symbols:
         links = []
         for part in cite.split("; "):
             key, _, place = part.partition(", ")
-            name = re.sub(r"^(\w)(\D*)(\d{4})\w?$", lambda m: m.group(1).upper() + m.group(2) + " " + m.group(3), key)
-            links.append(f'<a class="cite" href="references.html#ref-{key}">{name}</a>' + (f", {place}" if place else ""))
+            if key not in self.names:
+                self.problems.append(f"docs/symbols.toml cites {key}, which is not in docs/references.bib")
+            links.append(f'<a class="cite" href="references.html#ref-{key}">{self.names.get(key, key)}</a>' + (f", {place}" if place else ""))
         return f'<p class="cited">After {"; ".join(links)}</p>'
+
+    def list_of_all(self):
+        """A page of every symbol, lesson by lesson."""
+        text, last = [], None
+        for page, number, symbol, entry, file, identifier, line, told in sorted(self.rows, key=lambda r: (r[0].file, r[1])):
+            if page is not last:
+                text.append(("</table></div>" if last else "") + f'<h2 id="{page.name}"><a href="{page.file}">{page.number} '
+                            f'{html.escape(page.title)}</a></h2><div class="wide" tabindex="0" role="region" aria-label="symbols of '
+                            f'{html.escape(page.title)}"><table><tr><th>symbol</th><th>in</th><th>what</th><th>in the code</th>'
+                            '<th>value</th></tr>')
+                last, seen = page, set()
+            if symbol in seen:
+                continue
+            seen.add(symbol)
+            text.append(f'<tr><td>{self.mathml[symbol]}</td><td><a href="{page.file}#eq-{number}">({number})</a></td>'
+                        f'<td>{html.escape(entry["is"])}</td><td><a href="source/{file.replace("/", "--")}.html#L-{line}">'
+                        f'<code>{identifier}</code></a></td><td>{told}</td></tr>')
+        return "\n".join(text) + ("</table></div>" if last else "")
 
     def report(self):
         total = len(self.entries)
