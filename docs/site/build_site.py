@@ -137,7 +137,7 @@ class Site:
 
     def convert(self, page):
         folder = str(Path(page.source).parent)
-        body = pandoc.fragment(page.markdown, self.metadata, folder if folder != "." else "", SITE / "filter.lua")
+        body = pandoc.fragment(page.markdown, self.metadata, ROOT, folder if folder != "." else "", SITE / "filter.lua")
         body, rules = self.symbols.link(page, body)
         body = self.glossary.link(page, body)
         eyebrow = f"{page.number[0]}x {pages.FAMILIES[page.number[0]]}" if page.number else ""

@@ -1,8 +1,8 @@
 -- What pandoc's reader leaves to do: links and pictures lead into the site, equations get numbers, pictures captions.
--- Metadata from build_site.py: `folder` is where the page stands in the repository ("docs"), `pages` a file that returns a
+-- Metadata from build_site.py: `folder` is where the page stands in the repository ("docs"), `root` the repository, `pages` a file that returns a
 -- table, each page's source to its file in the site.
 local stringify = pandoc.utils.stringify
-local folder, files, equations = '', {}, {}
+local folder, root, files, equations = '', '', {}, {}
 
 -- "docs", "../lighting/fog.hpp" -> "lighting/fog.hpp"
 local function from_root(target)
@@ -19,10 +19,14 @@ end
 
 local function Meta(meta)
   folder = meta.folder and stringify(meta.folder) or ''
+  root = stringify(meta.root)
   files = dofile(stringify(meta.pages))
 end
 
 local function Link(link)
+  for i, inline in ipairs(link.content) do
+    if inline.t == 'Link' then link.content[i] = inline.content[1] end  -- made by Code below: no link in a link
+  end
   local target, mark = link.target:match('^([^#]*)(#?.*)$')
   if target == '' or target:match('^%a+:') then return nil end
   local path = from_root(target)
@@ -37,6 +41,15 @@ local function Link(link)
     link.target = 'source/' .. path:gsub('/', '--') .. '.html' .. mark
   end
   return link
+end
+
+-- `lighting/fog.hpp` leads to the file, where there is one.
+local function Code(code)
+  if not code.text:match('^%l[%w_/]*/[%w_]+%.[ch]pp$') then return nil end
+  local file = io.open(root .. '/' .. code.text)
+  if not file then return nil end
+  file:close()
+  return pandoc.Link(code, 'source/' .. code.text:gsub('/', '--') .. '.html')
 end
 
 local function Image(image)
@@ -142,9 +155,23 @@ local function Inlines(inlines)
   return kept
 end
 
+-- A table of two pictures is a pair: side by side, or one under a handle where scripts run.
+local function pair(tbl)
+  local simple = pandoc.utils.to_simple_table(tbl)
+  if #simple.rows ~= 1 or #simple.rows[1] ~= 2 then return nil end
+  local figures = ''
+  for _, cell in ipairs(simple.rows[1]) do
+    local image = #cell == 1 and cell[1].content and #cell[1].content == 1 and cell[1].content[1]
+    if not image or image.t ~= 'Image' then return nil end
+    figures = figures .. ('<figure><img src="%s" alt="%s"><figcaption>%s</figcaption></figure>'):format(
+      escaped(image.src), escaped(stringify(image.caption)), escaped(stringify(image.caption)))
+  end
+  return pandoc.RawBlock('html', '<div class="pair">' .. figures .. '</div>')
+end
+
 -- Wide tables scroll by themselves, the page does not; a key board reaches them.
 local function Table(tbl)
-  return { pandoc.RawBlock('html', '<div class="wide" tabindex="0" role="region" aria-label="table">'), tbl,
+  return pair(tbl) or { pandoc.RawBlock('html', '<div class="wide" tabindex="0" role="region" aria-label="table">'), tbl,
            pandoc.RawBlock('html', '</div>') }
 end
 
@@ -152,5 +179,5 @@ local function Header(header)
   if header.level == 1 then return {} end
 end
 
-return { { Meta = Meta }, { Math = find_equations }, { Inlines = Inlines, Strong = Strong, Link = Link, Image = Image, Str = Str, Header = Header },
+return { { Meta = Meta }, { Math = find_equations }, { Inlines = Inlines, Strong = Strong, Code = Code, Link = Link, Image = Image, Str = Str, Header = Header },
          { Para = Para, Table = Table } }

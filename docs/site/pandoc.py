@@ -35,9 +35,9 @@ def run(arguments, text, reads=()):
     return done.stdout
 
 
-def fragment(markdown, pages, folder, lua_filter):
+def fragment(markdown, pages, root, folder, lua_filter):
     """The HTML of a page's text, without head and foot. The file holds what the filter must know of all pages."""
-    return run(["-f", READER, "-t", "html5", "--mathml", "--wrap=preserve", "-M", f"pages={pages}",
+    return run(["-f", READER, "-t", "html5", "--mathml", "--wrap=preserve", "-M", f"pages={pages}", "-M", f"root={root}",
                 "-M", f"folder={folder}", "-L", str(lua_filter)], markdown, [pages, lua_filter])
 
 
