@@ -170,8 +170,13 @@ local function pair(tbl)
 end
 
 -- Wide tables scroll by themselves, the page does not; a key board reaches them.
+local tables = 0
 local function Table(tbl)
-  return pair(tbl) or { pandoc.RawBlock('html', '<div class="wide" tabindex="0" role="region" aria-label="table">'), tbl,
+  local two = pair(tbl)
+  if two then return two end
+  tables = tables + 1
+  local open = '<div class="wide" tabindex="0" role="region" aria-label="table %d">'
+  return { pandoc.RawBlock('html', open:format(tables)), tbl,
            pandoc.RawBlock('html', '</div>') }
 end
 

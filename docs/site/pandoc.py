@@ -45,7 +45,8 @@ def source_page(code, language):
     """A source as HTML; line N has the id L-N."""
     fence = "~" * 40
     block = f"{fence} {{#L .{language} .numberLines .lineAnchors}}\n{code.rstrip()}\n{fence}\n"
-    return run(["-f", "markdown", "-t", "html5", "--wrap=preserve"], block)
+    page = run(["-f", "markdown", "-t", "html5", "--wrap=preserve"], block)
+    return re.sub(r'<a href="#L-(\d+)"[^>]*></a>', r'<a href="#L-\1" tabindex="-1" aria-label="line \1"></a>', page)
 
 
 def mathml(formulas):

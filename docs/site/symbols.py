@@ -234,6 +234,6 @@ def serialized(root, where):
         attributes = "".join(f' {k}="{html.escape(v)}"' for k, v in node.attrib.items() if k != "data-s")
         inner = html.escape(node.text or "") + "".join(write(c) for c in node)
         if node.get("data-s") is not None:
-            inner = f'<a class="s s{node.get("data-s")}" href="#{where}-s{node.get("data-s")}">{inner}</a>'
+            inner = f'<a class="s s{node.get("data-s")}" tabindex="-1" href="#{where}-s{node.get("data-s")}">{inner}</a>'
         return f"<{name}{attributes}>{inner}</{name}>"
     return write(root)
