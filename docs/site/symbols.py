@@ -175,6 +175,15 @@ class Symbols:
         return re.sub(r'<div( id="eq-([^"]+)" class="equation numbered"[^>]*)>\s*(<math.*?</math>).*?</div>', equation, body,
                       flags=re.S), ""
 
+    def check(self, lessons):
+        """Only what the test asks: all equations of the pages, without the pages around them. One run of Pandoc."""
+        written = {p.name: re.findall(r"^\s*\$\$(.*?)\s*\\tag\{(\w+)\}\$\$", p.markdown, re.M) for p in lessons}
+        mathml = pandoc.mathml([latex for found in written.values() for latex, _ in found])
+        for page in lessons:
+            self.link(page, "".join(f'<div id="eq-{n}" class="equation numbered">{mathml[latex]}</div>'
+                                    for latex, n in written[page.name]))
+        self.equations = sum(map(len, written.values()))
+
     def box(self, page, number, found, known, settings):
         if not found:
             return self.citation(settings, number)
