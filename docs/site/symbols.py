@@ -80,11 +80,17 @@ class Symbols:
         file, _, identifier = entry["code"].partition(": ")
         if file not in self.texts:
             path = self.root / file
-            self.texts[file] = path.read_text(encoding="utf-8").splitlines() if path.is_file() else []
-        word = re.compile(rf"(?<!\w){re.escape(identifier)}(?!\w)")
-        lines = [n for n, line in enumerate(self.texts[file], 1) if word.search(line)]
-        code = [n for n in lines if not self.texts[file][n - 1].lstrip().startswith("//")]
-        return file, identifier, (code or lines or [0])[0]
+            lines = path.read_text(encoding="utf-8").splitlines() if path.is_file() else []
+            self.texts[file] = ["" if line.startswith("#include") else line.partition("//")[0] for line in lines]
+        word = re.escape(identifier)
+        # Where it is defined: a function or type at the line's start, else a member or parameter, else its first use.
+        kinds = (rf"^(?:[\w:<>\[\]&]+ )+{word}\(", rf"^(?:struct|class|enum class) {word}\b", rf"\b(?:[\w:<>]+) (?:\w+, )*{word}(?:;|, | =|{{)",
+                 rf"(?<!\w){word}(?!\w)")
+        for kind in kinds:
+            for n, line in enumerate(self.texts[file], 1):
+                if re.search(kind, line):
+                    return file, identifier, n
+        return file, identifier, 0
 
     def value(self, page, symbol, known, asked=()):
         entry = known[symbol]

@@ -144,5 +144,5 @@ def find(source, page, pixel, pixels, lookup):
     if kind == "number":
         return from_mark(page.markdown, wanted), "as worked out on this page"
     if kind == "calc":
-        return calculated(wanted, lookup), "as worked out on this page"
+        return calculated(wanted, lookup), "worked out by hand" if "{" not in wanted else "from the other symbols"
     raise NoValue(f"'{kind}' is no source of values")
