@@ -16,6 +16,7 @@ struct VisibleFrame {
     std::vector<glm::vec3> position;      ///< world space; (0, 0, 0) where nothing is seen
     std::vector<std::uint32_t> triangle;  ///< raster::triangle_id() in the set, or raster::kNoTriangle
 
+    /// The samples as the methods read them.
     [[nodiscard]] VisibleSamples samples() const {
         return {viewport, clip_from_world, depth, position};
     }

@@ -14,6 +14,7 @@ sys.path.insert(0, str(Path(__file__).resolve().parent))
 import glossary
 import pages
 import pandoc
+import reference
 import search_index
 import symbols
 
@@ -39,7 +40,10 @@ def menu(lessons, guides, here):
         if items:
             text.append(f'<h2><b>{digit}x</b> {family}</h2><ul>{"".join(f"<li>{i}</li>" for i in items)}</ul>')
     for group, found in guides.items():
-        text.append(f'<h2>{group}</h2><ul>{"".join(f"<li>{link(p, here)}</li>" for p in found)}</ul>')
+        items = [link(p, here) for p in found]
+        if group == "To build on" and reference.shutil.which("doxygen"):
+            items.append('<a href="api/index.html">Reference of the code</a>')
+        text.append(f'<h2>{group}</h2><ul>{"".join(f"<li>{i}</li>" for i in items)}</ul>')
     return "\n".join(text)
 
 
@@ -160,7 +164,8 @@ class Site:
         self.folder.mkdir(parents=True)
         lines = "".join(f"  [{json.dumps(p.source)}] = {json.dumps(p.file)},\n" for p in self.pages)
         self.metadata.write_text(f"return {{\n{lines}}}\n", encoding="utf-8")
-        self.symbols = symbols.Symbols(ROOT, self.lessons, self.kreda)
+        places = reference.build(self.folder / "api")
+        self.symbols = symbols.Symbols(ROOT, self.kreda, places)
         self.glossary = glossary.Glossary(ROOT)
         for name in ("style.css", "site.js", "icon.svg"):
             shutil.copyfile(SITE / name, self.folder / name)
@@ -197,7 +202,7 @@ def main():
     begin = time.monotonic()
     if options.symbols:
         lessons = pages.lessons(ROOT)
-        table = symbols.Symbols(ROOT, lessons, options.kreda)
+        table = symbols.Symbols(ROOT, options.kreda)
         table.check(lessons)
         print(f"{table.equations} equations: {table.report()}")
         raise SystemExit("\n".join(table.problems) if table.problems else 0)

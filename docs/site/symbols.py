@@ -54,7 +54,7 @@ def is_differential(node):
 class Symbols:
     """The table, checked against the pages as they are converted. `problems` and `resolved` are what the test reads."""
 
-    def __init__(self, root, lessons, kreda):
+    def __init__(self, root, kreda, places=None):
         self.root, self.problems, self.resolved, self.entries = root, [], 0, []
         file = root / "docs/symbols.toml"
         self.table = tomllib.loads(file.read_text(encoding="utf-8")) if file.exists() else {}
@@ -64,7 +64,7 @@ class Symbols:
         self.keys = {s: keys_of(parse(m)[1]) for s, m in self.mathml.items()}
         self.texts = {}
         self.names = pandoc.names_of(root / "docs/references.bib")
-        self.rows = []
+        self.rows, self.places = [], places or {}
 
     def tables(self):
         yield self.table.get("shared", {})
@@ -126,8 +126,9 @@ class Symbols:
         source = f'source/{file.replace("/", "--")}.html#L-{line}'
         self.entries.append({"t": f"{entry['is']}", "u": f"{page.file}#eq-{number}", "k": f"symbol, {page.number} {page.title}",
                              "x": f"{symbol} {identifier}"})
+        reference = f' <a href="{self.places[identifier]}">reference</a>' if identifier in self.places else ""
         return (f'<span class="is">{html.escape(entry["is"])}</span> '
-                f'<a href="{source}"><code>{identifier}</code> {file}:{line}</a>'
+                f'<a href="{source}"><code>{identifier}</code> {file}:{line}</a>{reference}'
                 + (f' <span class="measure">{measure}</span>' if measure else "") + (f" {told}" if told else ""))
 
     def find_in(self, node, known, found, free, bound):
