@@ -13,7 +13,7 @@ class Glossary:
             cells = [c.strip() for c in line.strip("|").split("|")]
             if line.startswith("| ") and len(cells) >= 4 and not cells[0].startswith(("---", "English")):
                 term = re.sub(r"<[^>]+>", "", cells[0]).strip()
-                self.terms[term.lower()] = (re.sub(r"\W+", "-", term.lower()).strip("-"), [c for c in cells[1:4]])
+                self.terms[term.lower()] = (re.sub(r"\W+", "-", term.lower()).strip("-"), [c.strip("*") for c in cells[1:4]])
 
     def pattern(self):
         words = sorted((re.escape(t) for t in self.terms), key=len, reverse=True)

@@ -27,6 +27,8 @@ def shown(value):
     """Six digits at most, vectors in brackets."""
     if isinstance(value, (list, tuple)):
         return "(" + ", ".join(shown(v) for v in value) + ")"
+    if isinstance(value, float) and value.is_integer() and abs(value) < 1e9:
+        value = int(value)
     return f"{value:.6g}" if isinstance(value, float) else str(value)
 
 
@@ -140,7 +142,7 @@ def find(source, page, pixel, pixels, lookup):
         entry = pixels.table[pixel]
         return read(pixel, wanted), f"at pixel ({', '.join(map(str, entry['at']))}) of {entry['scene']}"
     if kind == "session":
-        return from_session(page.markdown, wanted), "in the session below"
+        return from_session(page.markdown, wanted), "in the lesson's session"
     if kind == "number":
         return from_mark(page.markdown, wanted), "as worked out on this page"
     if kind == "calc":
