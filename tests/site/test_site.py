@@ -1,11 +1,13 @@
 """The site's own parts, by hand: values, symbols, links, the glossary. Usage: test_site.py docs/site"""
+import re
 import sys
 import tempfile
 import unittest
 import xml.etree.ElementTree as ElementTree
 from pathlib import Path
 
-sys.path.insert(0, sys.argv.pop())
+SITE = Path(sys.argv.pop())
+sys.path.insert(0, str(SITE))
 import check_site
 import glossary
 import pages
@@ -71,6 +73,18 @@ class Terms(unittest.TestCase):
         body = terms.link(page, "<h2>Fog</h2><p><code>fog</code> Fog and fog, foggy</p>")
         self.assertEqual(body.count("<a "), 1)
         self.assertIn('title="magla · mlha">Fog</a> and fog', body)
+
+
+class Skeleton(unittest.TestCase):
+    def test_a_new_lesson_has_what_every_lesson_has(self):
+        page = (SITE / "lesson_page.md").read_text()
+        lesson = (SITE.parent / "21_lambert.md").read_text()
+        self.assertEqual(re.findall("^## .*", page, re.M), re.findall("^## .*", lesson, re.M))
+        card = (SITE / "lesson_main.cpp").read_text().splitlines()
+        self.assertTrue(card[0].startswith("// NN_name: "))
+        self.assertTrue(card[1].startswith("// Page docs/NN_name.md | After ") and "| New: " in card[1])
+        function = re.match(r"// Break at: (\w+) \| Look at: .* \| Try: ", card[2]).group(1)
+        self.assertIn(f"break {function}", page)
 
 
 if __name__ == "__main__":
