@@ -119,6 +119,7 @@ class Site:
         """One file of the site; `more` are values of the template."""
         depth = page.file.count("/")
         body = re.sub(r"<pre(?![^>]*tabindex)", '<pre tabindex="0"', body)  # what scrolls is reached by keys
+        body = re.sub(r"<code>([^<]*/[^<]*)</code>", lambda m: f'<code>{m.group(1).replace("/", "/<wbr>")}</code>', body)
         body = re.sub(r"<th[^>]*></th>", "<td></td>", body)  # an empty corner is no heading
         body = re.sub(r' role="(?:doc-\w+|list|listitem)"', "", body)
         values = {"pagetitle": html.escape(f"{page.number} {page.title}".strip()), "title": html.escape(page.title),

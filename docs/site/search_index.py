@@ -5,6 +5,7 @@ import re
 
 
 def words_of(body):
+    body = body.replace("<wbr>", "")
     text = re.sub(r"<math.*?</math>|<pre.*?</pre>|<[^>]+>", " ", body, flags=re.S)
     return " ".join(html.unescape(text).split())
 
