@@ -6,11 +6,6 @@ import xml.etree.ElementTree as ElementTree
 import pandoc
 import values
 
-try:
-    import tomllib
-except ImportError as absent:  # Python before 3.11
-    raise SystemExit("docs: Python 3.11 or newer is needed, for its tomllib") from absent
-
 NAMESPACE = "http://www.w3.org/1998/Math/MathML"
 # Words of the formula's language: constants, functions and connectives need no explanation.
 PLAIN = {"π", "e", "sin", "cos", "tan", "arccos", "atan", "atan2", "exp", "log", "ln", "max", "min", "lim", "and", "or", "if",
@@ -57,7 +52,7 @@ class Symbols:
     def __init__(self, root, kreda, places=None):
         self.root, self.problems, self.resolved, self.entries = root, [], 0, []
         file = root / "docs/symbols.toml"
-        self.table = tomllib.loads(file.read_text(encoding="utf-8")) if file.exists() else {}
+        self.table = values.tomllib.loads(file.read_text(encoding="utf-8")) if file.exists() else {}
         self.pixels = values.Pixels(root, self.table.get("pixel", {}), kreda)
         written = [s for t in self.tables() for s in t]
         self.mathml = pandoc.mathml(written)

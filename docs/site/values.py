@@ -4,6 +4,7 @@ A value is written in docs/symbols.toml as one of
   explain D             the symbol D of the page's pixel; "explain light_0/s" names the section, "explain q[1]" a part of it
   channel n_dot_l       a channel of the page's pixel
   row spaces/object     a row of a table of the page's pixel; "row view_from_world" a whole matrix
+  scene light.0.position what the scene file of the page's pixel says; "scene light.0.attenuation[2]" a part of it
   session print n       what gdb printed for that command on the page; "session n_dot_l" a line "n_dot_l = ..." of it
   number peak           the page's mark <!-- number: peak = ... -->
   calc 2*pi/4           worked out here; {x} is the value of symbol x of the same page
@@ -13,6 +14,11 @@ import json
 import math
 import re
 import subprocess
+
+try:
+    import tomllib
+except ImportError as absent:  # Python before 3.11
+    raise SystemExit("docs: Python 3.11 or newer is needed, for its tomllib") from absent
 
 NAMES = {name: getattr(math, name) for name in ("pi", "e", "sqrt", "exp", "log", "log2", "cos", "sin", "tan", "acos",
                                                 "atan", "atan2", "radians", "degrees", "hypot", "floor")}
@@ -95,6 +101,15 @@ class Pixels:
                         return [[float(cell) for cell in row] for row in item["rows"]]
         raise NoValue(f"pixel '{name}' has no row {wanted}")
 
+    def scene(self, name, wanted):
+        found = tomllib.loads((self.root / self.table[name]["scene"]).read_text(encoding="utf-8"))
+        for key in re.findall(r"\w+", wanted):
+            try:
+                found = found[int(key) if key.isdigit() else key]
+            except (KeyError, IndexError) as absent:
+                raise NoValue(f"the scene of pixel '{name}' does not say {wanted}") from absent
+        return found
+
 
 def from_session(markdown, wanted):
     session = "\n".join(re.findall(r"^```gdb\n(.*?)^```", markdown, re.S | re.M)).splitlines()
@@ -135,11 +150,13 @@ def calculated(expression, lookup):
 def find(source, page, pixel, pixels, lookup):
     """(value, where it comes from in words)."""
     kind, _, wanted = source.partition(" ")
-    if kind in ("explain", "channel", "row"):
+    if kind in ("explain", "channel", "row", "scene"):
         if pixel not in pixels.table:
             raise NoValue(f"there is no pixel '{pixel}'")
-        read = {"explain": pixels.symbol, "channel": pixels.channel, "row": pixels.row}[kind]
+        read = {"explain": pixels.symbol, "channel": pixels.channel, "row": pixels.row, "scene": pixels.scene}[kind]
         entry = pixels.table[pixel]
+        if kind == "scene":
+            return read(pixel, wanted), f"in {entry['scene']}"
         return read(pixel, wanted), f"at pixel ({', '.join(map(str, entry['at']))}) of {entry['scene']}"
     if kind == "session":
         return from_session(page.markdown, wanted), "in the lesson's session"
