@@ -104,6 +104,8 @@ inline ReflectedTerms combine_terms(float n_dot_l, float D, float V, const glm::
 /// as n.v = 0.
 [[nodiscard]] ReflectedTerms cook_torrance(const glm::vec3& n, const glm::vec3& l, const glm::vec3& v,
                                            const CookTorranceSetup& m, const MicrofacetSurface& surface);
+/// Diffuse and specular reflection of one light at one point; n, l, v unit, world space. Equation (1) of
+/// docs/42_cook_torrance.md.
 [[nodiscard]] ReflectedTerms cook_torrance(const glm::vec3& n, const glm::vec3& l, const glm::vec3& v,
                                            const CookTorranceSetup& m);
 

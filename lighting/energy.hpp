@@ -14,6 +14,7 @@
 
 namespace kreda::lighting {
 
+/// Nodes a side of the table of directional albedo.
 inline constexpr int kEnergyNodes = 31;
 
 /// E at the nodes mu = (i / 30)^2, roughness = j / 30, and its average. Computed once by compute_energy_table.
@@ -32,6 +33,7 @@ struct NodeInterval {
     float t;  ///< share of node i + 1
 };
 
+/// The two nodes beside x in [0, 1], and how far x lies between them.
 inline NodeInterval node_interval(float x) {
     const float position = raster::saturate(x) * static_cast<float>(kEnergyNodes - 1);
     const int truncated = static_cast<int>(position);

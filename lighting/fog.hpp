@@ -11,10 +11,14 @@
 
 namespace kreda::lighting {
 
+/// Which equation gives the fog factor (docs/30_fog.md).
 enum class FogMode { none, linear, exp, exp2 };
+/// Which distance from the eye the fog counts (docs/31_fog_distance.md).
 enum class FogDistance { radial, planar };
+/// Where the factor is computed (docs/32_fog_per_vertex.md).
 enum class FogFrequency { pixel, vertex };
 
+/// The [fog] table of a scene.
 struct Fog {
     FogMode mode = FogMode::none;
     glm::vec3 color{0.6f, 0.65f, 0.7f};  ///< c_f, linear RGB

@@ -58,6 +58,7 @@ inline PolarizedFresnel fresnel_dielectric_polarized(float c, float n) {
     return {total ? 1.0f : r_s * r_s, total ? 1.0f : r_p * r_p};
 }
 
+/// Exact F of unpolarized light: half of s and half of p. c in [0, 1].
 inline float fresnel_dielectric(float c, float n) {
     return unpolarized(fresnel_dielectric_polarized(c, n));
 }
@@ -89,6 +90,7 @@ inline PolarizedFresnel fresnel_conductor_polarized(float c, float n, float k) {
     return {R_s, R_s * (p_above / p_below)};
 }
 
+/// Exact F of unpolarized light for n + i k: half of s and half of p. c in [0, 1].
 inline float fresnel_conductor(float c, float n, float k) {
     return unpolarized(fresnel_conductor_polarized(c, n, k));
 }
@@ -192,11 +194,13 @@ inline float fresnel_lookup(float c, const float* values, int size) {
 struct FresnelTable {
     std::vector<float> r, g, b;
 
+    /// Number of entries.
     [[nodiscard]] int size() const {
         return static_cast<int>(r.size());
     }
 };
 
+/// F at c in [0, 1], linear between the entries of the table.
 inline glm::vec3 fresnel_lookup(float c, const FresnelTable& table) {
     const int size = table.size();
     return {fresnel_lookup(c, table.r.data(), size), fresnel_lookup(c, table.g.data(), size),
@@ -205,40 +209,49 @@ inline glm::vec3 fresnel_lookup(float c, const FresnelTable& table) {
 
 // ------------------------------------------------------------------------------------------ three channels
 
+/// The same a channel.
 inline glm::vec3 fresnel_dielectric(float c, const glm::vec3& n) {
     return {fresnel_dielectric(c, n.x), fresnel_dielectric(c, n.y), fresnel_dielectric(c, n.z)};
 }
 
+/// The same a channel.
 inline glm::vec3 fresnel_conductor(float c, const glm::vec3& n, const glm::vec3& k) {
     return {fresnel_conductor(c, n.x, k.x), fresnel_conductor(c, n.y, k.y), fresnel_conductor(c, n.z, k.z)};
 }
 
+/// The same a channel.
 inline glm::vec3 f0_from_index(const glm::vec3& n, const glm::vec3& k) {
     return {f0_from_index(n.x, k.x), f0_from_index(n.y, k.y), f0_from_index(n.z, k.z)};
 }
 
+/// The same a channel.
 inline glm::vec3 index_from_f0(const glm::vec3& f0) {
     return {index_from_f0(f0.x), index_from_f0(f0.y), index_from_f0(f0.z)};
 }
 
+/// The same a channel.
 inline glm::vec3 fresnel_schlick(float c, const glm::vec3& f0) {
     return f0 + (1.0f - f0) * schlick_weight(c);
 }
 
+/// The same a channel.
 inline glm::vec3 fresnel_schlick_between(float c, const glm::vec3& n) {
     return {fresnel_schlick_between(c, n.x), fresnel_schlick_between(c, n.y), fresnel_schlick_between(c, n.z)};
 }
 
+/// The same a channel.
 inline glm::vec3 fresnel_rescaled_schlick(float c, const glm::vec3& n, const glm::vec3& k) {
     return {fresnel_rescaled_schlick(c, n.x, k.x), fresnel_rescaled_schlick(c, n.y, k.y),
             fresnel_rescaled_schlick(c, n.z, k.z)};
 }
 
+/// The same a channel.
 inline glm::vec3 fresnel_corrected_schlick(float c, const glm::vec3& f0, const glm::vec3& a, const glm::vec3& lambda) {
     return {fresnel_corrected_schlick(c, f0.x, a.x, lambda.x), fresnel_corrected_schlick(c, f0.y, a.y, lambda.y),
             fresnel_corrected_schlick(c, f0.z, a.z, lambda.z)};
 }
 
+/// The same a channel.
 inline glm::vec3 fresnel_corrected_schlick_as_printed(float c, const glm::vec3& f0, const glm::vec3& a,
                                                       const glm::vec3& lambda) {
     return {fresnel_corrected_schlick_as_printed(c, f0.x, a.x, lambda.x),
@@ -246,10 +259,12 @@ inline glm::vec3 fresnel_corrected_schlick_as_printed(float c, const glm::vec3& 
             fresnel_corrected_schlick_as_printed(c, f0.z, a.z, lambda.z)};
 }
 
+/// The same a channel.
 inline glm::vec3 fresnel_f82(float c, const glm::vec3& f0, const glm::vec3& b) {
     return {fresnel_f82(c, f0.x, b.x), fresnel_f82(c, f0.y, b.y), fresnel_f82(c, f0.z, b.z)};
 }
 
+/// The same a channel.
 inline glm::vec3 fresnel_nvidia(float c, const glm::vec3& bias, const glm::vec3& scale, float power) {
     return {fresnel_nvidia(c, bias.x, scale.x, power), fresnel_nvidia(c, bias.y, scale.y, power),
             fresnel_nvidia(c, bias.z, scale.z, power)};

@@ -74,6 +74,7 @@ inline glm::vec<3, Real> visible_facet(const glm::vec<3, Real>& v, Real alpha, R
     return m * (k1 / std::sqrt(length2 > kLeast ? length2 : kLeast));
 }
 
+/// A facet that v sees, from two even numbers u in [0, 1)²; unit, n is (0, 0, 1). Heitz 2018.
 inline glm::vec3 visible_half_vector(const glm::vec2& u, const glm::vec3& v, float alpha) {
     const raster::SinCos phi = raster::sin_cos_of_turns(u.x);
     return visible_facet(v, alpha, phi.cos, phi.sin, u.y);

@@ -10,6 +10,7 @@
 
 namespace kreda::lighting {
 
+/// The sun, a lamp, or a lamp in a cone.
 enum class LightType { directional, point, spot };
 
 /// Weakening with distance d:  1 / (constant + linear d + quadratic d^2).  "physical" is {0, 0, 1}.
@@ -65,6 +66,7 @@ struct LightSetup {
     float cos_inner = 1.0f, cos_outer = 0.0f;
 };
 
+/// What does not change from point to point: unit axis, cosines of the cone, color times intensity.
 [[nodiscard]] LightSetup prepare(const Light& light);
 
 /// A directional light shines from the same side everywhere, with the same strength.

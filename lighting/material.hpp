@@ -12,9 +12,13 @@
 
 namespace kreda::lighting {
 
+/// Which model reflects the light of lamps.
 enum class ReflectionModel { unlit, lambert, phong, blinn_phong, ward, heidrich_seidel, cook_torrance };
+/// D of cook_torrance: how many microfacets face a direction.
 enum class Distribution { ggx, beckmann, blinn_phong, gaussian };
+/// G of cook_torrance: which of them light and viewer both see.
 enum class Geometry { schlick_ggx, smith, smith_correlated, implicit, cook_torrance };
+/// F of cook_torrance: how much they reflect.
 enum class FresnelMethod {
     schlick,  ///< from F0
     exact,
@@ -29,9 +33,11 @@ enum class FresnelMethod {
 };
 /// Where the indices of a measured material come from: all wavelengths, or one for each colour channel.
 enum class SpectrumUse { full, three };
+/// Whether light that bounces more than once between facets is given back.
 enum class EnergyCompensation { none, kulla_conty };
 using raster::TextureFilter;
 using raster::TextureWrap;
+/// Where the green of a normal map points on the picture.
 enum class NormalMapY { up, down };
 
 /// Constants of the local models (Strachota 2020, section 3): all but cook_torrance.
@@ -84,6 +90,7 @@ struct MaterialMaps {
     glm::vec2 scale{1.0f};  ///< how often the pictures are laid over 0..1 of u and v, > 0
 };
 
+/// A [[material]] table of a scene.
 struct Material {
     std::string name = "default";
     ReflectionModel model = ReflectionModel::blinn_phong;

@@ -21,6 +21,7 @@ struct FormulaFacts {
 
 // ----------------------------------------------------------------------------------------------------------- D
 
+/// Every D, in the order of Distribution.
 inline constexpr std::array<FormulaFacts, 4> kDistributions = {{
     {"ggx", "GGX", "α² / (π (sin²θ_h + (n·h)² α²)²)", 8.0},
     {"beckmann", "Beckmann", "exp(-tan²θ_h / α²) / (π α² (n·h)⁴)", 9.0 + raster::kExpOperations},
@@ -28,6 +29,7 @@ inline constexpr std::array<FormulaFacts, 4> kDistributions = {{
     {"gaussian", "Gaussian", "c exp(-(θ_h / α)²)", 40.0 + raster::kExpOperations},
 }};
 
+/// The entry of a D.
 [[nodiscard]] constexpr const FormulaFacts& facts_of(Distribution distribution) {
     return kDistributions[static_cast<std::size_t>(distribution)];
 }
@@ -53,6 +55,7 @@ inline auto with_distribution(Distribution distribution, Use use) {
 
 // ----------------------------------------------------------------------------------------------------------- V
 
+/// Every G, in the order of Geometry.
 inline constexpr std::array<FormulaFacts, 5> kGeometries = {{
     {"schlick_ggx", "Schlick-GGX", "1 / (4 ((n·l)(1-k) + k) ((n·v)(1-k) + k)),  k = (roughness + 1)² / 8", 13.0},
     {"smith", "Smith", "1 / ((n·l + √(α² + (1-α²)(n·l)²)) (n·v + √(α² + (1-α²)(n·v)²)))", 18.0},
@@ -61,6 +64,7 @@ inline constexpr std::array<FormulaFacts, 5> kGeometries = {{
     {"cook_torrance", "Cook-Torrance", "min(1, 2 (n·h)(n·v) / (v·h), 2 (n·h)(n·l) / (v·h)) / (4 (n·l)(n·v))", 12.0},
 }};
 
+/// The entry of a G.
 [[nodiscard]] constexpr const FormulaFacts& facts_of(Geometry geometry) {
     return kGeometries[static_cast<std::size_t>(geometry)];
 }
@@ -101,6 +105,7 @@ inline auto with_visibility(Geometry geometry, LitBy lit_by, Use use) {
 
 // ----------------------------------------------------------------------------------------------------------- F
 
+/// Every F, in the order of FresnelMethod.
 inline constexpr std::array<FormulaFacts, 10> kFresnelMethods = {{
     {"schlick", "Schlick", "F0 + (1 - F0)(1 - v·h)⁵", 3.0 * 3.0 + 4.0},
     {"exact", "exact", "(R_s + R_p) / 2", 3.0 * 32.0},  // fresnel_facts says of which n and k
@@ -118,6 +123,7 @@ inline constexpr std::array<FormulaFacts, 10> kFresnelMethods = {{
 /// The exact formula once for each wavelength of a measured material.
 inline constexpr double kSpectralFresnelOperations = double{kSpectrumSamples} * 36.0;
 
+/// The entry of an F.
 [[nodiscard]] constexpr const FormulaFacts& facts_of(FresnelMethod method) {
     return kFresnelMethods[static_cast<std::size_t>(method)];
 }

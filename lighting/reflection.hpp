@@ -37,6 +37,7 @@ inline glm::vec3 ambient_term(const glm::vec3& s_A, const glm::vec3& m_A) {
 inline glm::vec3 mirror_vector(const glm::vec3& n, const glm::vec3& l, float n_dot_l) {
     return 2.0f * n_dot_l * n - l;
 }
+/// The same where n.l is not at hand yet.
 inline glm::vec3 mirror_vector(const glm::vec3& n, const glm::vec3& l) {
     return mirror_vector(n, l, glm::dot(n, l));
 }

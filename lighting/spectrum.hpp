@@ -66,6 +66,7 @@ struct ObserverSample {
 
 /// A number for each of the observer's wavelengths.
 inline constexpr int kSpectrumSamples = 31;
+/// A value for each of the observer's wavelengths.
 using Spectrum = std::array<double, kSpectrumSamples>;
 
 /// Colour of a surface that reflects this share of D65, linear sRGB. All ones: white, (1, 1, 1). Pure colours lie
@@ -91,6 +92,7 @@ inline glm::vec3 reflected_at(float c, const glm::vec3& color, float n, float k)
     return color * fresnel_conductor(c, n, k);
 }
 
+/// n + i k of a measured material at every wavelength, relative to the medium before the surface (outside_ior >= 0.1).
 [[nodiscard]] SpectralIndex spectral_index(const MeasuredMaterial& material, float outside_ior = 1.0f);
 
 /// The oracle in float   F = sum over wavelengths  color F(c, n, k)
@@ -106,11 +108,14 @@ struct SpectralColors {
     glm::vec3 b;    ///< coefficient of fresnel_f82
 };
 
+/// The two colours of a measured material, from all of its wavelengths.
 [[nodiscard]] SpectralColors spectral_colors(const MeasuredMaterial& material);
+/// The same from an index that was looked up before.
 [[nodiscard]] SpectralColors spectral_colors(const SpectralIndex& index);
 
 /// The oracle as a table for fresnel_lookup.
 [[nodiscard]] FresnelTable spectral_fresnel_table(const MeasuredMaterial& material, int size = 256);
+/// The same from an index that was looked up before.
 [[nodiscard]] FresnelTable spectral_fresnel_table(const SpectralIndex& index, int size = 256);
 
 }  // namespace kreda::lighting

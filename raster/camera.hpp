@@ -6,6 +6,7 @@
 
 namespace kreda::raster {
 
+/// How depth becomes size.
 enum class Projection { perspective, orthographic };
 
 /// Right-handed, looks down -z of its own view space, +y up. Clip space is OpenGL's: -w <= x, y, z <= w.
@@ -30,7 +31,9 @@ inline float aspect_of(int width, int height) {
 struct ViewAxes {
     glm::dvec3 right, up, forward;
 };
+/// Right, up and backward, unit and at right angles; world space.
 [[nodiscard]] ViewAxes view_axes(const glm::dvec3& forward, const glm::dvec3& up_hint);
+/// Those of a camera.
 [[nodiscard]] ViewAxes view_axes(const Camera& camera);
 
 /// view_from_world: a rotation and a translation (gluLookAt).

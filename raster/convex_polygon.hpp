@@ -5,6 +5,7 @@
 
 namespace kreda::raster {
 
+/// A convex polygon with at most kMostCorners corners, without allocation.
 template <class Corner, int kMostCorners>
 struct ConvexPolygon {
     std::array<Corner, kMostCorners> corner{};

@@ -15,9 +15,12 @@ namespace kreda::raster {
 struct Clusters {
     std::vector<std::uint32_t> parent;
 
+    /// `count` sets of one member each.
     explicit Clusters(std::size_t count);
 
+    /// Name of the set that holds the member.
     std::uint32_t find(std::uint32_t member);
+    /// Makes one set of the two.
     void unite(std::uint32_t a, std::uint32_t b);
 };
 
@@ -26,9 +29,11 @@ struct SharedEdge {
     std::uint32_t low_corner_a = 0, high_corner_a = 0;
     std::uint32_t low_corner_b = 0, high_corner_b = 0;
 
+    /// Number of the first triangle.
     [[nodiscard]] std::uint32_t triangle_a() const {
         return low_corner_a / 3;
     }
+    /// Number of the second one.
     [[nodiscard]] std::uint32_t triangle_b() const {
         return low_corner_b / 3;
     }

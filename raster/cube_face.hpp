@@ -10,14 +10,17 @@ namespace kreda::raster {
 /// Faces are numbered +x, -x, +y, -y, +z, -z.
 inline constexpr int kCubeFaces = 6;
 
+/// One face of a cube around the origin: which axis it stands on, and which way.
 struct CubeFace {
     int face = 0;
     float sign = 1.0f;   ///< of the greatest coordinate: -1 or 1
     float along = 0.0f;  ///< the greatest coordinate, with its sign
 
+    /// Does it stand on the x axis?
     [[nodiscard]] bool on_x() const {
         return face < 2;
     }
+    /// Does it stand on the y axis?
     [[nodiscard]] bool on_y() const {
         return (face >= 2) & (face < 4);
     }

@@ -3,7 +3,7 @@
 
 namespace kreda::raster {
 
-/// The front is the side from which the corners go round counter-clockwise.
+/// Which side of a triangle is not drawn; the front is the one from which its corners go round counter-clockwise.
 enum class CullMode { back, front, none };
 
 /// For a mesh whose transform mirrors: it turns counter-clockwise into clockwise, and what was the back is the front.

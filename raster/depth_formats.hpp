@@ -7,6 +7,7 @@
 
 namespace kreda::raster {
 
+/// How a depth is stored (docs/95_depth_precision.md).
 enum class DepthFormat { unorm16, unorm24, float32, reversed_float32 };
 
 /// What the projection makes of a distance, before it is stored   d = f (z - n) / (z (f - n)).   0 near .. 1 far

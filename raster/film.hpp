@@ -8,9 +8,12 @@
 
 namespace kreda::raster {
 
+/// How radiance comes to 0..1 (docs/70_hdr_tone_mapping.md).
 enum class ToneMap { none, reinhard, reinhard_extended };
+/// How linear values are encoded for 8 bits (docs/71_gamma.md).
 enum class Transfer { srgb, gamma, linear };
 
+/// From linear radiance to what a file holds.
 struct FilmSettings {
     float exposure = 1.0f;             ///< multiplies radiance first
     ToneMap tone_map = ToneMap::none;  ///< none: clamp to 1

@@ -21,9 +21,11 @@ inline constexpr int kChannelSize = kBatchCapacity + kTileSide;
 struct Channel {
     alignas(64) float value[kChannelSize];
 
+    /// Its value at point i.
     [[nodiscard]] float at(int i) const {
         return value[i];
     }
+    /// Replaces it.
     void set(int i, float v) {
         value[i] = v;
     }
@@ -35,9 +37,11 @@ struct Channel3 {
     alignas(64) float y[kChannelSize];
     alignas(64) float z[kChannelSize];
 
+    /// Its value at point i.
     [[nodiscard]] glm::vec3 at(int i) const {
         return {x[i], y[i], z[i]};
     }
+    /// Replaces it.
     void set(int i, const glm::vec3& v) {
         x[i] = v.x;
         y[i] = v.y;
@@ -83,11 +87,13 @@ struct FragmentNeeds {
     bool fog = false;
     bool two_sided = false;  ///< normals, tangents and colours of the side that is seen (ScreenTriangle::behind)
 
+    /// Is anything needed beyond visibility?
     [[nodiscard]] bool any() const {
         return position || normal || face_normal || color || uv || tangent || fog;
     }
 };
 
+/// Whether attributes are divided by w (docs/13_perspective.md).
 enum class AttributeInterpolation { perspective, affine };
 
 /// Find the runs of a tile, row by row from the top, left to right. `runs` has room for one a sample. Returns their

@@ -19,13 +19,16 @@ struct Image {
     int channels = 0;
     AlignedVector<float> values;
 
+    /// Place of a value in `values`.
     [[nodiscard]] std::size_t index(int c, int x, int y) const {
         KREDA_EXPECT(c >= 0 && c < channels && x >= 0 && x < width && y >= 0 && y < height);
         return (std::size_t(c) * std::size_t(height) + std::size_t(y)) * std::size_t(width) + std::size_t(x);
     }
+    /// Value of channel c at column x, row y.
     [[nodiscard]] float at(int c, int x, int y) const {
         return values[index(c, x, y)];
     }
+    /// The same, to be changed.
     [[nodiscard]] float& at(int c, int x, int y) {
         return values[index(c, x, y)];
     }
@@ -34,9 +37,11 @@ struct Image {
     [[nodiscard]] const float* plane(int c) const {
         return values.data() + plane_size() * std::size_t(c);
     }
+    /// The same, to be changed.
     [[nodiscard]] float* plane(int c) {
         return values.data() + plane_size() * std::size_t(c);
     }
+    /// Values a channel: width times height.
     [[nodiscard]] std::size_t plane_size() const {
         return std::size_t(width) * std::size_t(height);
     }
@@ -45,6 +50,7 @@ struct Image {
     [[nodiscard]] glm::vec3 rgb(int x, int y) const {
         return channels >= 3 ? glm::vec3(at(0, x, y), at(1, x, y), at(2, x, y)) : glm::vec3(at(0, x, y));
     }
+    /// Replaces the first three channels.
     void set_rgb(int x, int y, glm::vec3 color) {
         at(0, x, y) = color.x;
         at(1, x, y) = color.y;

@@ -14,10 +14,12 @@ namespace kreda::raster {
 struct PointLanes {
     alignas(64) std::int32_t x[kScreenLanes], y[kScreenLanes];
 
+    /// Puts corner v at place i.
     void set(int i, const ScreenVertex& v) {
         x[i] = v.x;
         y[i] = v.y;
     }
+    /// Corner i of them.
     [[nodiscard]] ScreenPoint at(int i) const {
         return {x[i], y[i]};
     }
@@ -30,6 +32,7 @@ struct JudgeLanes {
     std::int32_t x_first[kScreenLanes], x_last[kScreenLanes], y_first[kScreenLanes], y_last[kScreenLanes];
     std::uint16_t x0[kScreenLanes], y0[kScreenLanes], x1[kScreenLanes], y1[kScreenLanes];  ///< tiles
 
+    /// Puts a judgement at place i.
     void set(int i, const Judgement& judgement) {
         fate[i] = static_cast<std::int32_t>(judgement.fate);
         front[i] = judgement.front;
@@ -38,15 +41,18 @@ struct JudgeLanes {
         y_first[i] = judgement.y.first;
         y_last[i] = judgement.y.last;
     }
+    /// Puts a range of tiles at place i.
     void set_tiles(int i, const TileRange& tiles) {
         x0[i] = tiles.x0;
         y0[i] = tiles.y0;
         x1[i] = tiles.x1;
         y1[i] = tiles.y1;
     }
+    /// Tiles of triangle i.
     [[nodiscard]] TileRange tiles_at(int i) const {
         return {x0[i], y0[i], x1[i], y1[i]};
     }
+    /// Judgement i of them.
     [[nodiscard]] Judgement at(int i) const {
         return {Fate{fate[i]}, front[i] != 0, {x_first[i], x_last[i]}, {y_first[i], y_last[i]}};
     }

@@ -18,6 +18,7 @@ struct SampleRange {
     std::int32_t first, last;
 };
 
+/// The range of samples whose centres lie in [min, max].
 inline SampleRange samples_between(std::int32_t min, std::int32_t max) {
     const auto below_max = static_cast<std::uint32_t>(max) - kPixelCentre;  // kNeedsClip wraps around
     return {(min + kPixelCentre - 1) >> kSubpixelBits, static_cast<std::int32_t>(below_max) >> kSubpixelBits};
@@ -33,6 +34,7 @@ struct ScreenPoint {
     std::int32_t x, y;
 };
 
+/// The place of a vertex without its depth.
 inline ScreenPoint point_of(const ScreenVertex& v) {
     return {v.x, v.y};
 }

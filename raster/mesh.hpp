@@ -33,6 +33,7 @@ struct Mesh {
     glm::dvec3 origin{0.0};              ///< object space; not 0 for meshes far from it
     double unit = 1.0;                   ///< a power of two; not 1 for meshes that are tiny or huge
 
+    /// Three indices a triangle.
     [[nodiscard]] std::uint32_t triangle_count() const {
         return static_cast<std::uint32_t>(indices.size() / 3);
     }

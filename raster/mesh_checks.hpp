@@ -46,6 +46,7 @@ struct MeshReport {
     }
 };
 
+/// Counts what is odd about a mesh.
 [[nodiscard]] MeshReport check_mesh(const Mesh& mesh);
 
 }  // namespace kreda::raster

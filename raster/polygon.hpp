@@ -9,6 +9,7 @@
 
 namespace kreda::scene {
 
+/// A polygon cut into triangles.
 struct PolygonTriangles {
     std::vector<std::uint32_t> corners;  ///< three a triangle, each an index into the polygon, n - 2 triangles
     /// The triangles' areas sum to the polygon's. False: it has no area, or its outline crosses itself.

@@ -21,6 +21,7 @@ struct TileArea {
     int index = 0;              ///< row * columns + column
 };
 
+/// The samples of tile number `index`, cut at the picture's border.
 [[nodiscard]] TileArea tile_area(const TileGrid& grid, const Viewport& viewport, int index);
 
 /// Whether any triangle of the set touches the tile; if none does, there is nothing to draw in it.

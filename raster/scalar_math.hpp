@@ -20,15 +20,19 @@
 
 namespace kreda::raster {
 
+/// π, the float nearest to it.
 inline constexpr float kPi = 3.14159265358979323846f;
+/// 2 π
 inline constexpr float kTwoPi = 6.28318530717958647693f;
 inline constexpr float kInvPi = 0.31830988618379067154f;                ///< 1 / pi
 inline constexpr float kMinNormal = std::numeric_limits<float>::min();  ///< 2^-126, the smallest normal number
 inline constexpr float kMaxFinite = std::numeric_limits<float>::max();  ///< just below 2^128
+/// +infinity
 inline constexpr float kInfinity = std::numeric_limits<float>::infinity();
 
 /// About how many operations exp() and pow() take: for estimates of what a scene costs.
 inline constexpr double kExpOperations = 25.0;
+/// The same of pow().
 inline constexpr double kPowOperations = 60.0;
 
 // ---------------------------------------------------------------------------------------------------- helpers
@@ -86,6 +90,7 @@ struct MantissaExponent {
     std::int32_t exponent;
 };
 
+/// Mantissa near 1 and exponent of a positive float.
 inline MantissaExponent split_mantissa(float x) {
     constexpr std::uint32_t kSqrtHalfBits = 0x3f3504f3u;  // 0.70710677f
     const std::uint32_t bits = std::bit_cast<std::uint32_t>(x);

@@ -17,7 +17,9 @@ namespace kreda::raster {
 /// Positions on the screen are integers in units of 1/256 pixel: then "is the point left of this edge?" has an
 /// exact answer, closed surfaces have no cracks, and no pixel is drawn twice along a shared edge.
 inline constexpr int kSubpixelBits = 8;
+/// Steps a pixel: corners are rounded to 1/256.
 inline constexpr int kSubpixels = 1 << kSubpixelBits;
+/// The centre of a pixel, in those steps.
 inline constexpr int kPixelCentre = kSubpixels / 2;
 
 /// Largest image, in samples a side.

@@ -6,17 +6,21 @@
 
 namespace kreda::raster {
 
+/// Vertices that are worked on side by side.
 inline constexpr int kScreenLanes = 64;
 
+/// Screen vertices side by side, one array a member.
 struct ScreenLanes {
     alignas(64) std::int32_t x[kScreenLanes] = {};
     std::int32_t y[kScreenLanes] = {};
     float z[kScreenLanes] = {};
     float inv_w[kScreenLanes] = {};
 
+    /// Vertex i of them.
     [[nodiscard]] ScreenVertex at(int i) const {
         return {x[i], y[i], z[i], inv_w[i]};
     }
+    /// Replaces vertex i.
     void set(int i, const ScreenVertex& v) {
         x[i] = v.x;
         y[i] = v.y;

@@ -17,6 +17,7 @@
 
 namespace kreda::raster {
 
+/// How texels become a colour (docs/17_textures.md).
 enum class TextureFilter {
     nearest,   ///< the texel that holds the point
     bilinear,  ///< the four texels around it
@@ -29,6 +30,7 @@ enum class TextureWrap {
     clamp    ///< its border texels go on
 };
 
+/// Levels of the largest texture that can be read.
 inline constexpr int kMaxTextureLevels = 16;
 
 /// Every level half as large as the one before, rounded down, to a single texel; behind one another in `texels`, each
@@ -67,6 +69,7 @@ struct TextureView {
     int first_texel[kMaxTextureLevels] = {};
 };
 
+/// The texture as the sampling functions read it.
 [[nodiscard]] TextureView view_of(const Texture& texture, TextureWrap wrap);
 
 // ------------------------------------------------------------------------------------------------ along one axis
@@ -131,6 +134,7 @@ inline float sample_level(const TextureView& t, float u, float v, int level, int
     return mix_texels(below, above, y.weight);
 }
 
+/// One channel, bilinear on the finest level.
 inline float sample_bilinear(const TextureView& t, float u, float v, int channel) {
     return sample_level(t, u, v, 0, channel);
 }

@@ -30,6 +30,7 @@ struct TileRange {
     std::uint16_t x0, y0, x1, y1;
 };
 
+/// The tiles that a box of samples touches.
 inline TileRange tiles_of(const TileGrid& grid, const SampleRange& x, const SampleRange& y) {
     return {grid.tile_of(x.first), grid.tile_of(y.first), grid.tile_of(x.last), grid.tile_of(y.last)};
 }

@@ -56,6 +56,7 @@ struct TriangleSet {
     TileGrid grid;
     std::vector<TriangleChunk> chunks;
 
+    /// The triangle with that number.
     [[nodiscard]] const ScreenTriangle& triangle(std::uint32_t id) const {
         return chunks[id >> kChunkShift].triangles[id & ((1u << kChunkShift) - 1)];
     }

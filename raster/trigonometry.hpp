@@ -8,6 +8,7 @@
 
 namespace kreda::raster {
 
+/// Sine and cosine of one angle.
 struct SinCos {
     float sin, cos;
 };

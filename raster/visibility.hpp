@@ -12,6 +12,7 @@ inline constexpr std::uint32_t kNoTriangle = 0xffffffffu;
 /// Depth of a sample that nothing covers: the far plane.
 inline constexpr float kClearDepth = 1.0f;
 
+/// What is nearest at each sample: depth and number of the triangle.
 struct VisibilityBuffer {
     int width = 0;
     int height = 0;
@@ -19,6 +20,7 @@ struct VisibilityBuffer {
     std::vector<std::uint32_t> triangle;  ///< triangle_id(), or kNoTriangle
 
     VisibilityBuffer() = default;
+    /// Nothing seen yet, w x h samples.
     VisibilityBuffer(int w, int h)
         : width(w),
           height(h),

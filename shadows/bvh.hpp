@@ -20,6 +20,7 @@ struct BvhNode {
     std::uint32_t count = 0;
 };
 
+/// A tree of boxes over triangles, for rays.
 struct Bvh {
     std::vector<BvhNode> nodes;       ///< nodes[0] is the root; empty without triangles
     std::vector<Triangle> triangles;  ///< in the order of the leaves

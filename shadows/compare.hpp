@@ -25,6 +25,7 @@ struct ShadowError {
         0.0;            ///< misclassified samples near edges / edge length: how many samples an edge is off
     double rmse = 0.0;  ///< root of the mean square difference of the factors
 
+    /// Samples in shadow that are lit, and the other way round.
     [[nodiscard]] std::uint64_t misclassified() const {
         return false_shadow + false_light;
     }
@@ -34,6 +35,7 @@ struct ShadowError {
     }
 };
 
+/// What a method gets wrong against the exact shadow; `band`: samples around an edge that count as near it.
 [[nodiscard]] ShadowError compare_shadows(const VisibleSamples& samples, std::span<const float> exact,
                                           std::span<const float> tested, int band);
 

@@ -13,6 +13,7 @@ struct ExactShadow {
     Bvh bvh;
 };
 
+/// Builds the tree of the casters for one light.
 [[nodiscard]] ExactShadow prepare_exact(std::span<const Occluder> occluders, const ShadowLight& light);
 
 /// 1 where nothing stands between the point and the light, 0 elsewhere, for the first `count` points of a batch. World

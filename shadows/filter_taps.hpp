@@ -30,6 +30,7 @@ struct SoftTaps {
     float half_u = 0.0f, half_v = 0.0f;                ///< half the penumbra in the map, at least half a texel
     std::vector<FilterTap> filter;                     ///< cells that lie in it
 };
+/// The map and the points as the soft filter reads them.
 [[nodiscard]] SoftTaps soft_taps(const ShadowMap& map, const MapPoints& points);
 
 }  // namespace kreda::shadows

@@ -24,12 +24,14 @@ inline LightTriangle with_edges(const Triangle& world, const glm::dvec3 (&q)[3])
     return triangle;
 }
 
+/// Edges and corners of a triangle on the light's grid.
 [[nodiscard]] LightTriangle set_up(const LightGrid& grid, const Triangle& world);
 
 /// The cells of a row that the triangle may touch, at least those it does touch.     Empty where first > last.
 struct CellRange {
     int first = 0, last = -1;
 };
+/// First and last cell of a row that the triangle touches.
 [[nodiscard]] CellRange cells_in_row(const LightGrid& grid, const LightTriangle& triangle, int row);
 
 /// Does the triangle stand between the light and the point p, seen at q?

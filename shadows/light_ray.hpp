@@ -38,6 +38,7 @@ inline glm::dvec3 toward_light(const glm::dvec4& light, const glm::dvec3& p) {
 /// clipper made the corners. Measured in tests/shadows/test_light_ray.cpp: at most 3.
 inline constexpr double kInterpolationRoundings = 16.0;
 
+/// The largest absolute value of the three.
 inline double largest_coordinate(const glm::vec3& v) {
     return std::max({std::abs(v.x), std::abs(v.y), std::abs(v.z)});
 }
@@ -71,6 +72,7 @@ struct LightRay {
     double shear_x = 0.0, shear_y = 0.0;
 };
 
+/// The ray from the point p to the light.
 inline LightRay light_ray(const glm::dvec4& light, const glm::vec3& p) {
     LightRay ray;
     ray.origin = p;

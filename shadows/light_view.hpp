@@ -39,6 +39,7 @@ struct LightBounds {
 
 /// The box around points (world space) in the axes of a light.
 [[nodiscard]] LightBounds bounds_along(const glm::mat3& axes, std::span<const glm::vec3> points);
+/// The box around both.
 [[nodiscard]] LightBounds join(const LightBounds& a, const LightBounds& b);
 
 /// Can what lies in `casters` throw its shadow, along the rays, onto what lies in `seen`?

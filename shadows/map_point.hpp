@@ -102,6 +102,7 @@ struct PictureScale {
     float half_side = 0.5f;  ///< half the number of texels a side
 };
 
+/// From the light's view to texels of a map with `size` a side.
 [[nodiscard]] inline PictureScale picture_scale(const LightView& view, int size) {
     const float side = static_cast<float>(size);
     return {2.0f * view.half_size / side, side / (2.0f * view.half_size), 0.5f * side};
@@ -168,11 +169,13 @@ inline MapSteps map_steps_perspective(const glm::vec3& q, const glm::vec3& n_vie
     return s;
 }
 
+/// Place, distance and slope on the map of a light with parallel rays; q and n_view in the light's view.
 inline MapPoint map_point_parallel(const glm::vec3& q, const glm::vec3& n_view, const PictureScale& scale,
                                    const BiasTerms& bias) {
     return map_steps_parallel(q, n_view, scale, bias).point;
 }
 
+/// The same for a light with a place; q and n_view in the light's view.
 inline MapPoint map_point_perspective(const glm::vec3& q, const glm::vec3& n_view, const PictureScale& scale,
                                       const BiasTerms& bias) {
     return map_steps_perspective(q, n_view, scale, bias).point;

@@ -12,6 +12,7 @@ struct MapPoints {
     raster::Channel u, v, distance, slope_u, slope_v;
     alignas(64) int face_begin[raster::kChannelSize];
 
+    /// Puts a point at place i - begin.
     void set(int i, const MapPoint& point, int begin) {
         u.set(i, point.u);
         v.set(i, point.v);
@@ -39,6 +40,7 @@ struct TexelGrid {
     int before_first = 0;  ///< where the texel in column -1 and row -1 stands
 };
 
+/// Size and strides of a map's texels.
 [[nodiscard]] inline TexelGrid texel_grid(const ShadowMap& map) {
     return {static_cast<float>(map.size()), map.stride(), map.first_texel() - map.stride() - 1};
 }

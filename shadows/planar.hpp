@@ -43,6 +43,7 @@ struct PlanarSetup {
     glm::dmat4 clip_from_occluder{1.0};
     bool casts = false;  ///< the light does not shine along the plane
 };
+/// What does not change from triangle to triangle.
 [[nodiscard]] PlanarSetup planar_setup(const glm::dvec4& plane, const ShadowLight& light,
                                        const VisibleSamples& samples);
 
@@ -51,6 +52,7 @@ struct PlanarCause {
     std::size_t occluder = 0;
     std::size_t triangle = 0;  ///< of the occluder's indices, three each
 };
+/// Which triangle puts the sample (x, y) into shadow, if one does.
 [[nodiscard]] std::optional<PlanarCause> planar_cause(std::span<const Occluder> occluders, const glm::dvec4& plane,
                                                       const ShadowLight& light, const VisibleSamples& samples, int x,
                                                       int y);

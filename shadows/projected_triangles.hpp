@@ -29,6 +29,7 @@ void append_on_screen(const glm::vec4& a, const glm::vec4& b, const glm::vec4& c
 struct SampleSpan {
     int first = 0, last = -1;
 };
+/// First and last sample of row y that the triangle covers.
 [[nodiscard]] SampleSpan covered_in_row(const ProjectedTriangle& triangle, int y, int width);
 
 }  // namespace kreda::shadows

@@ -13,6 +13,7 @@
 
 namespace kreda::shadows {
 
+/// How a light shines, as far as its shadows care.
 enum class LightKind { directional, point, spot };
 
 /// A light as its shadows see it: where it is and where it shines, not how bright.
@@ -30,13 +31,16 @@ struct Occluder {
     bool clockwise = false;                  ///< mirrored: its triangles are clockwise seen from outside
 };
 
+/// How shadows are found.
 enum class ShadowMethod { map, planar, volume, irregular, exact };
 /// Does the method answer for all visible samples of a frame at once, instead of point by point? See below.
 inline bool is_frame_by_frame(ShadowMethod method) {
     return method == ShadowMethod::planar || method == ShadowMethod::volume || method == ShadowMethod::irregular;
 }
 
+/// map: how its edges are softened (docs/62_pcf.md, docs/63_soft_shadows.md).
 enum class ShadowFilter { none, pcf, pcss };
+/// map: what keeps a surface from shadowing itself (docs/61_acne_and_bias.md).
 enum class ShadowBias { none, constant, slope, normal_offset };
 
 /// The [shadow] table of a scene.

@@ -35,15 +35,19 @@ struct ShadowMap {
     raster::AlignedVector<float> distance;  ///< along the view's axis, world units; kNoCaster where nothing casts
     float nearest = kNoCaster;    ///< the least of them; pcss only
 
+    /// Texels a side, without the ring.
     [[nodiscard]] int size() const {
         return plan.settings.size;
     }
+    /// Texels around each face that filters may read.
     [[nodiscard]] int ring() const {
         return plan.settings.filter == ShadowFilter::pcf ? plan.settings.radius + 1 : 1;
     }
+    /// Floats from row to row.
     [[nodiscard]] int stride() const {
         return size() + 2 * ring();
     }
+    /// Floats from face to face.
     [[nodiscard]] int face_stride() const {
         return stride() * stride();
     }
@@ -51,6 +55,7 @@ struct ShadowMap {
     [[nodiscard]] int first_texel() const {
         return ring() * (stride() + 1);
     }
+    /// Distance kept in a texel.
     [[nodiscard]] float at(int face, int column, int row) const {
         return distance[static_cast<std::size_t>(face) * face_stride() + first_texel() + row * stride() + column];
     }

@@ -15,6 +15,7 @@ struct VisibleSampleMemory {
     raster::AlignedVector<glm::vec3> position;      ///< world space; (0, 0, 0) where nothing is seen
     raster::AlignedVector<std::uint32_t> triangle;  ///< raster::triangle_id() in the set, or raster::kNoTriangle
 
+    /// The samples as the methods read them.
     [[nodiscard]] VisibleSamples samples() const {
         return {viewport, clip_from_world, depth, position};
     }

@@ -45,6 +45,7 @@ struct VolumeFaces {
 /// whose rays may run along the light and would meet no face at infinity.
 [[nodiscard]] glm::vec4 pushed_away(const glm::dvec4& light, const glm::vec3& a);
 
+/// All faces of the casters' volumes, on the sample grid.
 [[nodiscard]] VolumeFaces make_volume_faces(std::span<const VolumeCaster> casters, const ShadowLight& light,
                                             const VisibleSamples& samples);
 

@@ -42,6 +42,7 @@ struct MapNeeds {
     bool uv_steps = false;  ///< trilinear: the level comes from them
     bool tangent = false;   ///< normal map
 };
+/// What the maps ask of the fragments: texture coordinates, their steps, tangents.
 [[nodiscard]] MapNeeds needs_of(const MaterialMaps& maps);
 
 /// Look up the maps at every point: channels.m_D, channels.map_emission, channels.map_normal, and albedo, metallic,

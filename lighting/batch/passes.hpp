@@ -25,6 +25,7 @@ struct MaterialSetup {
     MapNeeds map_needs;
 };
 
+/// What does not change from point to point of a material.
 [[nodiscard]] MaterialSetup prepare(const Material& material);
 
 /// What is the same for all points of a frame.

@@ -15,6 +15,7 @@ struct BakeCost {
     double operations_each = 0.0;
     std::uint64_t bytes = 0;  ///< of the map
 
+    /// All of them: count times operations_each.
     [[nodiscard]] double operations() const {
         return static_cast<double>(count) * operations_each;
     }
@@ -22,7 +23,9 @@ struct BakeCost {
 
 /// The environment as a cube map with all its mip levels, `size` texels a side, n x n directions a texel.
 [[nodiscard]] BakeCost cube_cost(int size, int n);
+/// The prefiltered levels, the mirror `size` texels a side.
 [[nodiscard]] BakeCost prefilter_cost(int size, const PrefilterSettings& settings);
+/// Irradiance from a cube of `size` texels a side.
 [[nodiscard]] BakeCost irradiance_cost(int size, IrradianceForm form);
 /// `maps` BRDF maps.
 [[nodiscard]] BakeCost brdf_cost(std::size_t maps);

@@ -13,7 +13,9 @@
 
 namespace kreda::lighting {
 
+/// Nodes a side of the map.
 inline constexpr int kBrdfMapSize = 64;
+/// Samples a node.
 inline constexpr int kBrdfMapSamples = 1024;
 
 /// A and B at the nodes n.v = (i / 63)^2, roughness = j / 63. The square puts nodes where A and B bend, near grazing:
@@ -23,6 +25,7 @@ struct BrdfMap {
     Geometry geometry = Geometry::schlick_ggx;
     std::vector<float> texels;  ///< A, B, E_avg = 2 int (A + B) mu dmu of the row, 0; row by row of growing roughness
 
+    /// Has it no nodes yet?
     [[nodiscard]] bool empty() const {
         return texels.empty();
     }
@@ -79,6 +82,7 @@ inline BrdfTerms brdf_fit(float n_dot_v, float roughness) {
 /// A, B and E_avg as x, y, z at every point.
 void look_up_brdf(const BrdfMap& map, int lanes, const raster::Channel& n_dot_v, const raster::Channel& roughness,
                   TapScratch& scratch, raster::Channel3& brdf);
+/// The closed form for `lanes` points at once.
 void brdf_fit(int lanes, const raster::Channel& n_dot_v, const raster::Channel& roughness, raster::Channel3& brdf);
 
 }  // namespace kreda::lighting

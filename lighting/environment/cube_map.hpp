@@ -69,9 +69,11 @@ struct CubeMap {
     std::vector<CubeLevel> levels;
     raster::AlignedVector<float> texels;
 
+    /// Has it no texels yet?
     [[nodiscard]] bool empty() const {
         return levels.empty();
     }
+    /// The coarsest level; 0 is the finest.
     [[nodiscard]] int last_level() const {
         return static_cast<int>(levels.size()) - 1;
     }
@@ -80,10 +82,12 @@ struct CubeMap {
         const int side = at.size + 2;
         return static_cast<std::size_t>(at.offset) + 4 * ((std::size_t(face) * side + (y + 1)) * side + (x + 1));
     }
+    /// Linear RGB of a texel; x and y from -1 (the border) to the level's size.
     [[nodiscard]] glm::vec3 texel(int level, int face, int x, int y) const {
         const float* p = &texels[index(level, face, x, y)];
         return {p[0], p[1], p[2]};
     }
+    /// Replaces it.
     void set_texel(int level, int face, int x, int y, const glm::vec3& color) {
         float* p = &texels[index(level, face, x, y)];
         p[0] = color.x;

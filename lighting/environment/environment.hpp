@@ -13,6 +13,7 @@
 
 namespace kreda::lighting {
 
+/// How irradiance is kept: a cube map, or nine numbers of a polynomial.
 enum class IrradianceForm { map, sh9 };
 
 /// A pair of terms whose scale and bias are one BRDF map.
@@ -20,6 +21,7 @@ struct BrdfKind {
     Distribution distribution = Distribution::ggx;
     Geometry geometry = Geometry::schlick_ggx;
 
+    /// Equal in every member.
     bool operator==(const BrdfKind&) const = default;
 };
 
@@ -31,9 +33,11 @@ struct EnvironmentNeeds {
     IrradianceForm form = IrradianceForm::map;
     std::vector<BrdfKind> brdf;  ///< one for each kind of specular material, each once
 
+    /// Is anything needed at all?
     [[nodiscard]] bool any() const {
         return mirror || blurred || irradiance;
     }
+    /// Equal in every member.
     bool operator==(const EnvironmentNeeds&) const = default;
 };
 

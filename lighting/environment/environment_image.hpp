@@ -21,6 +21,7 @@ struct EnvironmentRepairs {
     std::int64_t nan = 0, infinite = 0, negative = 0;
     std::int64_t too_bright = 0;  ///< finite, above kMaxRadiance
 
+    /// How many texels were repaired.
     [[nodiscard]] std::int64_t total() const {
         return nan + infinite + negative + too_bright;
     }
@@ -79,10 +80,12 @@ struct Placement {
 /// angles. `size` is a power of two.
 [[nodiscard]] CubeMap cube_from_equirect(const raster::Image& image, int size, const Placement& placement = {},
                                          const Progress& progress = {});
+/// A cube map of a built-in sky, `size` texels a side.
 [[nodiscard]] CubeMap cube_from_sky(Sky sky, int size, const Placement& placement = {}, const Progress& progress = {});
 
 /// The n of an image: no texel of it is passed over. And of a sky.
 [[nodiscard]] int directions_for(int image_width, int image_height, int size);
+/// Directions a side of a texel, over which a sky is averaged.
 inline constexpr int kSkyDirections = 4;
 
 /// Texels a side of a cube map that is as fine as an image of this width (a quarter of it, rounded up to a power of

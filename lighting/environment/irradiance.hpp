@@ -14,11 +14,13 @@
 
 namespace kreda::lighting {
 
+/// How the sum over the hemisphere is taken (docs/51_irradiance.md).
 enum class IrradianceSum { texels, cosine, hemisphere };
 
 /// Texels a side of the level whose texels are summed for E, and for the coefficients: finer ones change nothing that
 /// is seen.
 inline constexpr int kIrradianceSourceSize = 64;
+/// Texels a side of the cube that the nine numbers are summed over.
 inline constexpr int kShSourceSize = 256;
 
 /// The sum over all texels of the level that is `source_size` texels a side, or the nearest there is
@@ -44,6 +46,7 @@ struct IrradianceSettings {
     int size = 32;
 };
 
+/// A cube map of irradiance, linear RGB, from one of radiance.
 [[nodiscard]] CubeMap irradiance_map(const CubeMap& radiance, const IrradianceSettings& settings,
                                      const Progress& progress = {});
 

@@ -37,6 +37,7 @@ struct DensityTap {
     float factor;
 };
 
+/// Where a unit direction lies on the faces of `size` texels a side.
 inline DensityTap density_tap(int size, const glm::vec3& direction) {
     const CubePoint point = cube_point(direction);
     const int x = static_cast<int>(point.u * static_cast<float>(size));

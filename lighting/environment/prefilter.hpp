@@ -15,6 +15,7 @@ namespace kreda::lighting {
 /// A lobe is about twice as wide as that of the level before, so what lies between two levels is well mixed from both.
 inline constexpr int kPrefilterLevels = 8;
 
+/// Alpha of a level: 0 at level 0, doubling up to 1 at the last.
 [[nodiscard]] inline float alpha_of_level(int level) {
     return level == 0 ? 0.0f : raster::exp2(static_cast<float>(level - (kPrefilterLevels - 1)));
 }
@@ -27,6 +28,7 @@ inline float level_of_alpha(float alpha) {
     return alpha < kFirstAlpha ? alpha * (1.0f / kFirstAlpha) : blurred;
 }
 
+/// How the levels are baked.
 struct PrefilterSettings {
     int samples = 2048;  ///< at roughness 1; a level takes samples x alpha, at least 32: a narrow lobe has less to miss
     int largest_blurred = 256;  ///< texels a side of level 1 at most
@@ -35,6 +37,7 @@ struct PrefilterSettings {
 
 /// Texels a side of each level, for an environment of `size` texels a side; and the samples that a level takes.
 [[nodiscard]] std::vector<int> prefilter_sizes(int size, const PrefilterSettings& settings);
+/// Samples of a level: in proportion to its alpha, 32 at least.
 [[nodiscard]] int samples_of_level(const PrefilterSettings& settings, int level);
 
 /// Level 0 copies level 0 of `radiance`; a level of alpha is 8 / alpha texels a side, or less where those two are

@@ -16,6 +16,7 @@ using Progress = std::function<void(double share)>;
 /// Adds up what several threads have done.
 class WorkCounter {
 public:
+    /// `all_work`: operations until the bar is full.
     WorkCounter(double all_work, const Progress& progress) : all_work_(all_work), progress_(progress) {}
     WorkCounter(const WorkCounter&) = delete;
     WorkCounter& operator=(const WorkCounter&) = delete;

@@ -8,6 +8,7 @@
 
 namespace kreda::lighting {
 
+/// The skies that need no file.
 enum class Sky { studio, sunset, gradient };
 
 /// Earth below, sky above, a soft sun of 20 (half width 4.2 degrees) at (0.4, 0.8, 0.3).   d unit.
@@ -68,6 +69,7 @@ inline glm::vec3 sunset_sky(const glm::vec3& d) {
     return ground * (1.0f - is_sky) + (above + glow + glm::vec3(260.0f, 110.0f, 32.0f) * sun) * is_sky;
 }
 
+/// Radiance of a built-in sky in the unit direction d, linear RGB.
 inline glm::vec3 sky_radiance(Sky sky, const glm::vec3& d) {
     switch (sky) {
         case Sky::studio: return studio_sky(d);

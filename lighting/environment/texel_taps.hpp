@@ -44,6 +44,7 @@ struct TapChannels {
     alignas(64) std::int32_t next_row[raster::kChannelSize];
     raster::Channel w_00, w_10, w_01, w_11;
 
+    /// Puts a tap at place i.
     void set(int i, const TexelTap& tap) {
         first[i] = tap.first;
         next_row[i] = tap.next_row;

@@ -105,6 +105,15 @@ TEST_CASE("markdown: blocks") {
           "y</code></td><td>2</td></tr>\n</table></div>\n");
 }
 
+TEST_CASE("markdown: formulas and folded answers and lists that go on") {
+    CHECK(html("so\n$$a < b_1 \\tag{1}$$\nend") ==
+          "<p>so</p>\n<pre><code>a &lt; b_1 \\tag{1}</code></pre>\n<p>end</p>\n");
+    CHECK(html("1. ask\n   <details><summary>Answer</summary>\n\n   say\n\n   </details>\n2. b") ==
+          "<ol>\n<li>ask</li>\n</ol>\n<details><summary>Answer</summary>\n<p>say</p>\n</details>\n"
+          "<ol start=\"2\">\n<li>b</li>\n</ol>\n");
+    CHECK(html("<details open>") == "<p>&lt;details open&gt;</p>\n");
+}
+
 TEST_CASE("markdown: spans") {
     CHECK(html("**b** *i* `c*d*`") == "<p><strong>b</strong> <em>i</em> <code>c*d*</code></p>\n");
     CHECK(html("[t](u.md) ![p](q.png)") ==

@@ -117,6 +117,13 @@ bool is_table_rule(const std::string& line) {
     return starts_with(line, "|") && line.find_first_not_of("|-: \t") == std::string::npos;
 }
 
+/// <details><summary>Answer</summary> and </details>, each alone on a line, are the only HTML that is obeyed.
+const std::string kFold = "<details><summary>Answer</summary>", kFoldEnd = "</details>";
+
+bool is_formula(const std::string& line) {
+    return line.size() > 4 && starts_with(line, "$$") && line.compare(line.size() - 2, 2, "$$") == 0;
+}
+
 /// Reads the text line by line; each block takes the lines that belong to it.
 class Reader {
 public:
@@ -138,7 +145,7 @@ private:
     [[nodiscard]] bool starts_block() const {
         const std::string text = line();
         return text.empty() || starts_with(text, "#") || starts_with(text, "```") || starts_with(text, "|") ||
-               list_mark(text) > 0;
+               text == kFold || text == kFoldEnd || is_formula(text) || list_mark(text) > 0;
     }
 
     void block() {
@@ -153,6 +160,10 @@ private:
             heading();
         else if (starts_with(text, "|"))
             table();
+        else if (text == kFold || text == kFoldEnd)
+            html_ += text + "\n", ++at_;
+        else if (is_formula(text))
+            formula();
         else if (list_mark(text) > 0)
             list();
         else
@@ -195,9 +206,18 @@ private:
         html_ += "</code></pre>\n";
     }
 
+    /// LaTeX as it is written, without its dollars: `./course docs` makes formulas of them.
+    void formula() {
+        const std::string text = line();
+        html_ += "<pre><code>" + escape_html(text.substr(2, text.size() - 4)) + "</code></pre>\n";
+        ++at_;
+    }
+
     void list() {
-        const std::string tag = std::isdigit(static_cast<unsigned char>(line()[0])) ? "ol" : "ul";
-        html_ += "<" + tag + ">\n";
+        const std::string first = line().substr(0, list_mark(line()));  // "- " or "12. "
+        const std::string tag = std::isdigit(static_cast<unsigned char>(first[0])) ? "ol" : "ul";
+        const std::string number = tag == "ol" ? first.substr(0, first.size() - 2) : "1";
+        html_ += "<" + tag + (number == "1" ? "" : " start=\"" + number + "\"") + ">\n";
         while (list_mark(line()) > 0) html_ += "<li>" + inline_html(joined(list_mark(line())), link_) + "</li>\n";
         html_ += "</" + tag + ">\n";
     }

@@ -13,7 +13,8 @@ namespace kreda::tools {
 using LinkMap = std::function<std::string(const std::string& target)>;
 
 /// Headings, paragraphs, lists (one level), tables, fenced or indented code, `code`, **bold**, *italic*, links and
-/// pictures. Everything else is text. Raw HTML is shown, not obeyed; comments <!-- --> are left out.
+/// pictures. Everything else is text. A formula $$...$$ alone on a line is shown as LaTeX. Raw HTML is shown, not
+/// obeyed, but for the fold of an answer; comments <!-- --> are left out.
 [[nodiscard]] std::string html_from_markdown(const std::string& markdown, const LinkMap& link);
 
 }  // namespace kreda::tools

@@ -1,0 +1,91 @@
+"""The site's own parts, by hand: values, symbols, links, the glossary. Usage: test_site.py docs/site"""
+import re
+import sys
+import tempfile
+import unittest
+import xml.etree.ElementTree as ElementTree
+from pathlib import Path
+
+SITE = Path(sys.argv.pop())
+sys.path.insert(0, str(SITE))
+import check_site
+import glossary
+import pages
+import symbols
+import values
+
+
+class Values(unittest.TestCase):
+    PAGE = "```gdb\n(gdb) print n\n$1 = (0, 1, 0)\n(gdb) info locals\nn_dot_l = 0.5\n```\n0.25 <!-- number: half = 0.25 -->\n"
+
+    def test_session_gives_vectors_and_locals(self):
+        self.assertEqual(values.from_session(self.PAGE, "print n"), [0.0, 1.0, 0.0])
+        self.assertEqual(values.from_session(self.PAGE, "n_dot_l"), 0.5)
+        with self.assertRaises(values.NoValue):
+            values.from_session(self.PAGE, "print l")
+
+    def test_marks_and_sums(self):
+        self.assertEqual(values.from_mark(self.PAGE, "half"), 0.25)
+        self.assertEqual(values.calculated("2*{a_{1}}+{b}[1]", {"a_{1}": 3.0, "b": [0.0, 4.0]}.__getitem__), 10.0)
+        with self.assertRaises(values.NoValue):
+            values.calculated("open('x')", {}.__getitem__)
+
+    def test_six_digits_are_shown(self):
+        self.assertEqual(values.shown([1 / 3, 2.0]), "(0.333333, 2)")
+
+
+class Symbols(unittest.TestCase):
+    def test_longest_symbol_is_found_and_the_rest_is_free(self):
+        table = symbols.Symbols.__new__(symbols.Symbols)
+
+        def keys(text):
+            return symbols.keys_of(ElementTree.fromstring(text))
+        table.keys = {"k": keys("<mi>k</mi>"), "k_d": keys("<msub><mi>k</mi><mi>d</mi></msub>"),
+                      "dt": keys("<mrow><mi>Δ</mi><mi>t</mi></mrow>")}
+        formula = ElementTree.fromstring("<mrow><msub><mi>k</mi><mi>d</mi></msub><mi>Δ</mi><mi>t</mi><mi>x</mi><mi>π</mi></mrow>")
+        found, free = {}, []
+        table.find_in(formula, table.keys, found, free, set())
+        self.assertEqual(list(found), ["k_d", "dt"])
+        self.assertEqual(free, ["x"])  # π needs no explanation, x does
+
+
+class Links(unittest.TestCase):
+    def faults_of(self, **files):
+        with tempfile.TemporaryDirectory() as folder:
+            for name, text in files.items():
+                (Path(folder) / f"{name}.html").write_text(text)
+            return check_site.check(Path(folder).resolve())[2]
+
+    def test_a_whole_page_has_no_fault(self):
+        self.assertEqual(self.faults_of(a='<a href="b.html#x">b</a> <a href="https://example.org">w</a>', b='<p id="x">'), [])
+
+    def test_each_fault_is_found(self):
+        for text in ('<a href="c.html">', '<a href="b.html#y">', '<img src="p.png" alt="">', '<p id="x"><p id="x">',
+                     '<script src="https://example.org/a.js"></script>', "<h1>a</h1><h3>b</h3>", '<a href="#z">'):
+            self.assertEqual(len(self.faults_of(a=text, b='<p id="x">')), 1, text)
+
+
+class Terms(unittest.TestCase):
+    def test_first_use_in_words_is_linked_once_and_code_is_not(self):
+        terms = glossary.Glossary(Path("/nowhere"))
+        terms.terms = {"fog": ("fog", ["magla", "–", "mlha"])}
+        page = pages.Page("docs/30_fog.md", "30_fog.html", "Fog", "30")
+        body = terms.link(page, "<h2>Fog</h2><p><code>fog</code> Fog and fog, foggy</p>")
+        self.assertEqual(body.count("<a "), 1)
+        self.assertIn('title="magla · mlha">Fog</a> and fog', body)
+
+
+class Skeleton(unittest.TestCase):
+    def test_a_new_lesson_has_what_every_lesson_has(self):
+        page = (SITE / "lesson_page.md").read_text()
+        lesson = (SITE.parent / "21_lambert.md").read_text()
+        self.assertEqual(re.findall("^## .*", page, re.M), re.findall("^## .*", lesson, re.M))
+        card = (SITE / "lesson_main.cpp").read_text().splitlines()
+        self.assertTrue(card[0].startswith("// NN_name: "))
+        self.assertTrue(card[1].startswith("// Page docs/NN_name.md | After ") and "| New: " in card[1])
+        function = re.match(r"// Break at: (\w+) \| Look at: .* \| Try: ", card[2]).group(1)
+        self.assertIn(f"break {function}", page)
+
+
+if __name__ == "__main__":
+    unittest.main()
