@@ -12,6 +12,7 @@
 #include "scene/error.hpp"
 #include "scene/files/child_process.hpp"
 #include "scene/files/image_file.hpp"
+#include "scene/files/read_scene.hpp"
 #include "tests/scene/raw_images.hpp"
 #include "tests/scene/raw_jpeg.hpp"
 #include "tests/scene/raw_png.hpp"
@@ -163,6 +164,26 @@ TEST_CASE("damaged images: pipes, devices and folders in place of files are refu
         CAPTURE(file);
         CHECK(has(complaint_of(file), "is not a file"));
     }
+}
+
+TEST_CASE("damaged images: pipes and devices are no scene files, no meshes, and nothing to write to") {
+    const TempFolder folder;
+    const auto complaint = [](const auto& action) -> std::string {
+        try {
+            action();
+        } catch (const kreda::scene::UserError& error) { return error.what(); }
+        return "no error";
+    };
+    const std::string fifo = folder.file("a.png");
+    REQUIRE(mkfifo(fifo.c_str(), 0600) == 0);
+    CHECK(has(complaint([&] { (void)kreda::scene::read_scene(fifo); }), "is a pipe or a device"));
+    CHECK(has(complaint([&] { (void)kreda::scene::read_scene("/dev/zero"); }), "is a pipe or a device"));
+    const std::string text = "[environment]\nfile = \"a.png\"\n";
+    const auto read_text = [&] { (void)kreda::scene::read_scene_text(text, "test", folder.path.string()); };
+    CHECK(has(complaint(read_text), "is a pipe or a device, not an image file"));
+    const kreda::raster::Image picture = kreda::raster::make_image(2, 2, 3);
+    CHECK(has(complaint([&] { kreda::scene::write_png(fifo, picture); }), "would be replaced"));
+    CHECK(std::filesystem::is_fifo(fifo));
 }
 
 TEST_CASE("damaged images: after a crash images are read as before") {
