@@ -2,7 +2,7 @@
 # the 200 libraries that OpenImageIO brings takes longer than drawing most pictures.
 set(KREDA_IMAGE_SOURCES scene/files/image_file.cpp)  # these may include OpenImageIO; they are no part of kreda_scene
 
-set(KREDA_IMAGE_HELPERS file_content icc_profile image_color image_orientation quoted_text radiance_header webp_file)  # in both
+set(KREDA_IMAGE_HELPERS child_process file_content icc_profile image_color image_orientation quoted_text radiance_header webp_file)  # in both
 list(TRANSFORM KREDA_IMAGE_HELPERS REPLACE "(.+)" "scene/files/\\1.cpp")
 add_library(kreda_images MODULE ${KREDA_IMAGE_SOURCES} ${KREDA_IMAGE_HELPERS} scene/error.cpp
   raster/aligned_vector.cpp)

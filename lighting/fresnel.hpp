@@ -2,9 +2,10 @@
 // Source: Stetic-Kozic 2014, "Poredjenje metoda za racunanje koeficijenata Frenelove refleksije": equations by number.
 //
 // c = cos theta, in [0, 1], theta between the light and the normal of the (micro)facet.
-// n + i k: index of refraction of what lies behind the surface relative to what lies before it; k = 0 for dielectrics.
-// Every function here is one scalar formula without a branch, so a loop over it vectorizes; the vec3 forms apply it to
-// red, green and blue.
+// n + i k: index of refraction of what lies behind the surface relative to what lies before it, n in [0.001, 1000], k
+// in [0, 1000]; k = 0 for dielectrics. R_0 in [0, 1.1]. F is in [0, 1], unless R_0 is above 1. The errors of all of
+// them: docs/97_extremes.md. Every function here is one scalar formula without a branch, so a loop over it vectorizes;
+// the vec3 forms apply it to red, green and blue.
 #pragma once
 
 #include <cmath>
@@ -33,10 +34,12 @@ inline float relative_index(float n_1, float n_2) {
     return n_2 / n_1;
 }
 
-/// Cosine of the refracted ray (Snell)   cos^2 theta_t = 1 - (1 - c^2) / n^2.   Beyond the critical angle: 0.
+/// Cosine of the refracted ray (Snell)   cos^2 theta_t = 1 - (1 - c^2) / n^2.   Beyond the critical angle: 0.  In [0,
+/// 1]. Times n^2 it is n^2 - 1 + c^2, which does not cancel as n nears 1, or n^2 - sin^2, which does not for small n.
 inline float refracted_cosine(float c, float n) {
-    const float cos2 = ((n - 1.0f) * (n + 1.0f) + c * c) / (n * n);
-    return std::sqrt(cos2 > 0.0f ? cos2 : 0.0f);
+    const float near_one = ((n - 1.0f) * (n + 1.0f) + c * c) / (n * n);
+    const float small = 1.0f - (1.0f - c) * (1.0f + c) / (n * n);
+    return std::sqrt(raster::saturate(n < 0.7f ? small : near_one));
 }
 
 // ----------------------------------------------------------------------------------------------------- exact
@@ -45,9 +48,11 @@ inline float refracted_cosine(float c, float n) {
 ///   R_s = ((g - c) / (g + c))^2      R_p = R_s ((c (g + c) - 1) / (c (g - c) + 1))^2         Cook & Torrance 1982
 /// the closed form of eq. (1) and (2).
 /// g - c is taken as (n^2 - 1) / (g + c), which does not cancel as n nears 1.  g^2 < 0: total reflection, F = 1.
+/// F rises to 1 at the critical angle with no bound to its slope: there the rounding of g^2 counts. For small n it is
+/// less in n^2 - sin^2.   R_s and R_p exceed 1 by 3e-7 at most.
 inline PolarizedFresnel fresnel_dielectric_polarized(float c, float n) {
     const float n2_minus_1 = (n - 1.0f) * (n + 1.0f);
-    const float g2 = n2_minus_1 + c * c;
+    const float g2 = n < 0.7f ? n * n - (1.0f - c) * (1.0f + c) : n2_minus_1 + c * c;
     const float g = std::sqrt(g2 > 0.0f ? g2 : 0.0f);
     const float sum = g + c > 1e-18f ? g + c : 1e-18f;  // 0 only for n = 1 at 90 degrees: nothing is there, F = 0
     const float r_s = n2_minus_1 / (sum * sum);
@@ -60,7 +65,7 @@ inline PolarizedFresnel fresnel_dielectric_polarized(float c, float n) {
 
 /// Exact F of unpolarized light: half of s and half of p. c in [0, 1].
 inline float fresnel_dielectric(float c, float n) {
-    return unpolarized(fresnel_dielectric_polarized(c, n));
+    return raster::smaller_of_positive(unpolarized(fresnel_dielectric_polarized(c, n)), 1.0f);
 }
 
 /// Exact, conductor (and dielectric with k = 0):   s^2 = 1 - c^2,   A = n^2 - k^2 - s^2,   B = 2 n k,
@@ -68,10 +73,13 @@ inline float fresnel_dielectric(float c, float n) {
 ///   R_s = ((a - c)^2 + b^2) / ((a + c)^2 + b^2)                                                 eq. (10)
 ///   R_p = R_s ((a c - s^2)^2 + (b c)^2) / ((a c + s^2)^2 + (b c)^2)                       eq. (11) times cos^2 / cos^2
 /// As printed, (8) cancels for good metals (A << 0) and (9) for dielectrics. So only the larger of a, b comes from its
-/// root; the smaller from a b = B / 2. And no tan theta, whose float changes sign at 90 degrees.
+/// root; the smaller from a b = B / 2. And no tan theta, whose float changes sign at 90 degrees. Where hardly anything
+/// is there, n near 1 and k near 0, A is nearly 0: n^2 - 1 - k^2 + c^2 keeps its digits.
 inline PolarizedFresnel fresnel_conductor_polarized(float c, float n, float k) {
     const float s2 = (1.0f - c) * (1.0f + c);
-    const float A = (n - k) * (n + k) - s2;
+    const bool is_faint = std::abs(n - 1.0f) + k < 0.5f;
+    const float faint_A = (n - 1.0f) * (n + 1.0f) - k * k + c * c;
+    const float A = is_faint ? faint_A : (n - k) * (n + k) - s2;
     const float B = 2.0f * n * k;
     const float root = std::sqrt(A * A + B * B);
     const float larger = std::sqrt(0.5f * (root + std::abs(A)));
@@ -92,7 +100,7 @@ inline PolarizedFresnel fresnel_conductor_polarized(float c, float n, float k) {
 
 /// Exact F of unpolarized light for n + i k: half of s and half of p. c in [0, 1].
 inline float fresnel_conductor(float c, float n, float k) {
-    return unpolarized(fresnel_conductor_polarized(c, n, k));
+    return raster::smaller_of_positive(unpolarized(fresnel_conductor_polarized(c, n, k)), 1.0f);
 }
 
 /// F at normal incidence   R_0 = ((n - 1)^2 + k^2) / ((n + 1)^2 + k^2)                             section 3.2.2
@@ -128,7 +136,7 @@ inline float fresnel_schlick(float c, float f0) {
 /// As printed it knows no total reflection: for n < 1 use fresnel_schlick_between.
 inline float fresnel_schlick_from_index(float c, float n) {
     const float above = (n - 1.0f) * (n - 1.0f) + 4.0f * n * schlick_weight(c);
-    return above / ((n + 1.0f) * (n + 1.0f));
+    return raster::smaller_of_positive(above / ((n + 1.0f) * (n + 1.0f)), 1.0f);
 }
 
 /// Schlick between any two media: leaving the denser one (n < 1) the angle that counts is the refracted one; beyond the
@@ -142,28 +150,32 @@ inline float fresnel_schlick_between(float c, float n) {
 /// Lazanyi & Szirmay-Kalos 2005. It is fresnel_schlick(c, f0_from_index(n, k)), written with n and k.
 inline float fresnel_rescaled_schlick(float c, float n, float k) {
     const float above = (n - 1.0f) * (n - 1.0f) + 4.0f * n * schlick_weight(c) + k * k;
-    return above / ((n + 1.0f) * (n + 1.0f) + k * k);
+    return raster::smaller_of_positive(above / ((n + 1.0f) * (n + 1.0f) + k * k), 1.0f);
 }
 
 /// Corrected Schlick as Lazanyi & Szirmay-Kalos published it   F = F_14 - a c (1 - c)^lambda,   a = 2 n
 /// It is this form that gives the numbers of the thesis' table 2. F(90 degrees) = 1, for c multiplies the correction.
-/// a and lambda: see fit_correction(); a = 0 where Schlick is not too large.
+/// a and lambda: see fit_correction(); a = 0 where Schlick is not too large.  At least 0: a and lambda of one n and k
+/// may take more from an R_0 than there is.
 inline float fresnel_corrected_schlick(float c, float f0, float a, float lambda) {
-    return fresnel_schlick(c, f0) - a * c * raster::pow(1.0f - c, lambda);
+    const float F = fresnel_schlick(c, f0) - a * c * raster::pow(1.0f - c, lambda);
+    return F > 0.0f ? F : 0.0f;
 }
 
 /// Corrected Schlick as the thesis prints it   F = F_14 - a (1 - c)^lambda,   a = 2 n                      eq. (15)
-/// The factor c is lost: F(90 degrees) = 1 - 2 n, below 0 for most metals. Here for comparison, not for pictures.
+/// The factor c is lost: F(90 degrees) = 1 - 2 n, below 0 for most metals. Here for comparison; pictures take 0 there.
 inline float fresnel_corrected_schlick_as_printed(float c, float f0, float a, float lambda) {
     return fresnel_schlick(c, f0) - a * raster::pow(1.0f - c, lambda);
 }
 
 /// F82   F = F_Schlick - b c (1 - c)^6     b makes F exact at c = 1/7, 81.8 degrees: see f82_coefficient().
 /// Hoffman 2019, "Fresnel equations considered harmful"; Kutz, Hasan & Edmondson 2021. For metals: a dielectric gets
-/// worse.
+/// worse.  Kept in [0, 1] (or R_0 where that is above 1): a free choice of F(1/7) may leave it elsewhere.
 inline float fresnel_f82(float c, float f0, float b) {
     const float x = 1.0f - c;
-    return fresnel_schlick(c, f0) - b * c * (schlick_weight(c) * x);
+    const float F = fresnel_schlick(c, f0) - b * c * (schlick_weight(c) * x);
+    const float at_least_0 = F > 0.0f ? F : 0.0f;
+    return raster::smaller_of_positive(at_least_0, f0 > 1.0f ? f0 : 1.0f);
 }
 
 /// b of F82 from the value wanted at c = 1/7   b = (F_Schlick(1/7) - F(1/7)) / (1/7 (6/7)^6)

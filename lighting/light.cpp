@@ -1,5 +1,6 @@
 #include "lighting/light.hpp"
 
+#include <algorithm>
 #include <cmath>
 
 namespace kreda::lighting {
@@ -11,6 +12,7 @@ LightSetup prepare(const Light& light) {
     setup.axis = glm::vec3(glm::normalize(glm::dvec3(light.direction)));
     setup.radiance = light.color * light.intensity;
     setup.attenuation = light.attenuation;
+    setup.most_weight = kMostIrradiance / std::max({setup.radiance.x, setup.radiance.y, setup.radiance.z, 1.0f});
     setup.cos_inner = static_cast<float>(std::cos(glm::radians(double{light.inner_cone_deg})));
     setup.cos_outer = static_cast<float>(std::cos(glm::radians(double{light.outer_cone_deg})));
     return setup;

@@ -41,9 +41,11 @@ struct LightSample {
     glm::vec3 irradiance;  ///< s(p): color x intensity x attenuation x cone; what a plane facing the light receives
 };
 
-/// Attenuation at distance d >= 0.                                                    [1]
+/// Attenuation at distance d >= 0, which counts as 1e18 beyond that: infinity times 0 is no number.          [1]
+/// Coefficients in [0, 1e9]; infinite where all terms are 0.
 inline float attenuate(const Attenuation& a, float d) {
-    return 1.0f / (a.constant + a.linear * d + a.quadratic * d * d);
+    const float near = raster::smaller_of_positive(d, 1e18f);
+    return 1.0f / (a.constant + a.linear * near + a.quadratic * near * near);
 }
 
 /// Smooth step from 1 inside the inner cone to 0 outside the outer one: 3t^2 - 2t^3.   [0, 1]
@@ -56,6 +58,10 @@ inline float spot_cone(float cos_angle, float cos_inner, float cos_outer) {
     return raster::smooth_ramp(t);
 }
 
+/// The most light that may arrive at a point, whatever its distance: 1 / d^2 has no bound, and infinity times the
+/// cosine 0 is no number. Terms of materials, at most 1e19 of it, stay finite, too.
+inline constexpr float kMostIrradiance = 1e18f;
+
 /// A light made ready for a frame: lengths and cosines that are the same for every point.
 struct LightSetup {
     LightType type = LightType::directional;
@@ -63,6 +69,7 @@ struct LightSetup {
     glm::vec3 axis{0.0f};      ///< unit, the way the light travels, world space
     glm::vec3 radiance{1.0f};  ///< color x intensity
     Attenuation attenuation;
+    float most_weight = kMostIrradiance;  ///< what the attenuation may be at most
     float cos_inner = 1.0f, cos_outer = 0.0f;
 };
 
@@ -81,7 +88,8 @@ inline LightSample sample_point(const LightSetup& light, const glm::vec3& p) {
     const float d = raster::divisible_length(to_light);
     LightSample sample;
     sample.l = to_light * (1.0f / d);
-    sample.irradiance = light.radiance * attenuate(light.attenuation, d);
+    sample.irradiance =
+        light.radiance * raster::smaller_of_positive(attenuate(light.attenuation, d), light.most_weight);
     return sample;
 }
 

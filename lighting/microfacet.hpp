@@ -167,9 +167,10 @@ inline float schlick_k_image(float alpha) {
 }
 
 /// One direction of Schlick-GGX   G_1 = c / (c (1 - k) + k)                    Schlick 1994; Karis 2013; thesis eq. (7)
+/// c in [0, 1], k in [0.001, 1/2]; in [0, 1].
 inline float schlick_ggx_g1(float c, float k) {
     const float below = c * (1.0f - k) + k;
-    return c / (below > 1e-12f ? below : 1e-12f);
+    return raster::smaller_of_positive(c / (below > 1e-12f ? below : 1e-12f), 1.0f);
 }
 
 /// Schlick-GGX, both directions   V = 1 / (4 ((n.l)(1-k) + k) ((n.v)(1-k) + k))                  thesis eq. (8)

@@ -156,7 +156,8 @@ inline auto with_fresnel(const CookTorranceSetup& setup, Use use) {
             });
         case FresnelMethod::corrected_schlick_as_printed:
             return use([a = setup.correction_a, lambda = setup.correction_lambda](float c, const glm::vec3& f0) {
-                return fresnel_corrected_schlick_as_printed(c, f0, a, lambda);
+                const glm::vec3 F = fresnel_corrected_schlick_as_printed(c, f0, a, lambda);
+                return glm::vec3(F.x > 0.0f ? F.x : 0.0f, F.y > 0.0f ? F.y : 0.0f, F.z > 0.0f ? F.z : 0.0f);
             });
         case FresnelMethod::f82:
             return use([b = setup.f82_b](float c, const glm::vec3& f0) { return fresnel_f82(c, f0, b); });

@@ -48,13 +48,15 @@ inline glm::vec3 half_vector(const glm::vec3& l, const glm::vec3& v) {
 }
 
 /// Phong's measure of reflection   Sigma = max(v.r, 0) = max(cos rho, 0)                  Phong 1975
+/// In [0, 1]: two unit vectors in float may have a product above 1 by 3e-7, and to the power of 10^6 that is 1.3.
 inline float sigma_phong(const glm::vec3& v, const glm::vec3& r) {
-    return positive_dot(v, r);
+    return raster::saturate(glm::dot(v, r));
 }
 
 /// Blinn's measure of reflection   Sigma = max(n.h, 0) = max(cos theta, 0)                Blinn 1977
+/// In [0, 1], as Phong's.
 inline float sigma_blinn(const glm::vec3& n, const glm::vec3& h) {
-    return positive_dot(n, h);
+    return raster::saturate(glm::dot(n, h));
 }
 
 /// The exponent that gives Blinn's highlight the width of Phong's. theta is half of rho where n, l, v lie in one plane,
@@ -80,7 +82,7 @@ inline ReflectedTerms phong_terms(float n_dot_l, float highlight, const PhongMat
     return {m.diffuse * cosine, m.specular * highlight};
 }
 
-/// The highlight   Sigma^h, 0 on the side that faces away from the light
+/// The highlight   Sigma^h, 0 on the side that faces away from the light.  Sigma in [0, 1], h in [0, 1e9]; in [0, 1].
 inline float highlight_of(float sigma, float n_dot_l, const PhongMaterial& m) {
     return raster::pow(sigma, m.shininess) * faces_light(n_dot_l);
 }

@@ -60,8 +60,10 @@ inline float ward_bounded(const MicrofacetAngles& angles, float alpha) {
 }
 
 /// Width of Ward's lobe for a Blinn-Phong exponent   alpha = sqrt(2 / (shininess + 2))               Walter et al. 2007
+/// At least 0.002, the least that scenes may say: beyond an exponent of 500,000 the highlight gets no narrower.
 inline float ward_alpha_from_shininess(float shininess) {
-    return std::sqrt(2.0f / (shininess + 2.0f));
+    const float alpha = std::sqrt(2.0f / (shininess + 2.0f));
+    return alpha > 0.002f ? alpha : 0.002f;
 }
 
 /// Ward's model of one light with a Phong material's constants. Like the other empirical models it has no 1/pi in the

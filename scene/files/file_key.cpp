@@ -40,8 +40,10 @@ std::string existing_file(const Value& key, const std::string& folder) {
     const std::string path = path_in(folder, key.text);
     std::error_code failed;
     if (fs::is_regular_file(path, failed)) return path;
-    const std::string what = fs::is_directory(path, failed) ? " is a folder, not an image file" : " is not there";
-    throw UserError(key.place, in_quotes(key.key) + ": " + path_in_quotes(path) + what + did_you_mean_file(path));
+    const std::string subject = in_quotes(key.key) + ": " + path_in_quotes(path);
+    if (fs::is_directory(path, failed)) throw UserError(key.place, subject + " is a folder, not an image file");
+    if (fs::exists(path, failed)) throw UserError(key.place, subject + " is a pipe or a device, not an image file");
+    throw UserError(key.place, subject + " is not there" + did_you_mean_file(path));
 }
 
 }  // namespace kreda::scene

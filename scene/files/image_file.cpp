@@ -17,6 +17,7 @@
 #include <OpenImageIO/imageio.h>
 
 #include "scene/error.hpp"
+#include "scene/files/child_process.hpp"
 #include "scene/files/file_content.hpp"
 #include "scene/files/icc_profile.hpp"
 #include "scene/files/image_color.hpp"
@@ -86,12 +87,6 @@ raster::Image display_window(const OIIO::ImageSpec& spec, const std::vector<floa
     return image;
 }
 
-void check_is_file(const std::string& path) {
-    if (!fs::exists(path)) throw UserError(Place{path}, "no such image file");
-    if (!fs::is_regular_file(path)) throw UserError(Place{path}, "is not a file; an image file is needed");
-    if (fs::file_size(path) == 0) throw UserError(Place{path}, "is empty; an image file is needed");
-}
-
 /// While it lives, what C libraries print on stderr is lost: libpng complains there, and we complain again. std::cerr
 /// keeps writing.
 class QuietLibraries {
@@ -111,14 +106,16 @@ private:
     std::FILE* nowhere_ = std::fopen("/dev/null", "w");
 };
 
-/// What the library says of its failure as one sentence: each of its lines once, without the emptiest.
+/// What the library says of its failure as one sentence: each of its first lines once, without the emptiest.
 std::string reason_of(const std::string& text, const std::string& otherwise) {
+    constexpr std::size_t kMostLines = 2;
     std::vector<std::string> lines;
     std::istringstream stream(text);
     for (std::string line; std::getline(stream, line);) {
         const auto holds_it = [&](const std::string& other) { return other.find(line) != std::string::npos; };
         if (line.empty() || line == "PNG library error") continue;
         if (std::none_of(lines.begin(), lines.end(), holds_it)) lines.push_back(line);
+        if (lines.size() == kMostLines) break;
     }
     std::string reason;
     for (const std::string& line : lines) reason += (reason.empty() ? "" : "; ") + line;
@@ -287,17 +284,35 @@ void divide_by_multiplier(raster::Image& image, const RadianceHeader& radiance) 
     }
 }
 
+/// The child process that decodes may use what a picture of this size needs: its values as they are stored, as the
+/// library gives them, in planes, and turned. The slowest format takes a second for five million values.
+void allow_for_size(std::int64_t values) {
+    constexpr std::int64_t kCopies = 4, kValuesInSecond = 5'000'000;
+    allow_more(kCopies * values * std::int64_t(sizeof(float)), static_cast<int>(values / kValuesInSecond));
+}
+
+/// What the library says of a picture that it gives all the same. JPEG's and TIFF's readers make grey or black of what
+/// is not there: an error. Odd bytes between the parts of a JPEG cost nothing that can be seen.
+void judge_complaint(const std::string& path, const std::string& complaint, StoredImage& stored) {
+    const bool has_odd_bytes = complaint.find("extraneous bytes") != std::string::npos;
+    if (!has_odd_bytes) throw UserError(Place{path}, "is damaged: " + complaint);
+    stored.remarks.push_back("has odd bytes (" + on_one_line(complaint) + ")");
+}
+
 StoredImage read_with_oiio(const std::string& path, const ImageReadOptions& options) {
     const OpenedImage opened = open_input(path);
     OIIO::ImageInput& input = *opened.input;
     const OIIO::ImageSpec spec = input.spec();
     check_size(path, spec, options);
-    std::vector<float> data(static_cast<std::size_t>(std::int64_t(spec.width) * spec.height * spec.nchannels));
+    const std::int64_t values = std::int64_t(spec.width) * spec.height * spec.nchannels;
+    allow_for_size(std::max(values, std::int64_t(spec.full_width) * spec.full_height * spec.nchannels));
+    std::vector<float> data(static_cast<std::size_t>(values));
     if (!input.read_image(0, 0, 0, spec.nchannels, OIIO::TypeFloat, data.data())) {
         throw UserError(Place{path}, "is damaged: " + reason_of(input.geterror(), "its pixels cannot be decoded"));
     }
     StoredImage stored;
     stored.remarks = opened.radiance.remarks;
+    if (input.has_error()) judge_complaint(path, reason_of(input.geterror(), "it is cut off"), stored);
     remark_parts(path, input, stored);
     stored.bits = bits_of(spec);
     find_encoding(spec, stored);
@@ -314,7 +329,6 @@ StoredImage read_with_oiio(const std::string& path, const ImageReadOptions& opti
 }  // namespace
 
 StoredImage read_stored_image(const std::string& path, const ImageReadOptions& options) {
-    check_is_file(path);
     const QuietLibraries quiet;
     try {
         return read_with_oiio(path, options);

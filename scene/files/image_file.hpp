@@ -10,10 +10,13 @@
 
 namespace kreda::scene {
 
-/// A header may promise any size: what is larger than this is refused before memory is asked for.
+/// A header may promise any size: what is larger than this is refused before memory is asked for. A file may also keep
+/// its decoder busy for other reasons, or crash it: it runs in a child process, which may use this.
 struct ImageReadOptions {
     int max_side = 32768;
-    std::int64_t max_values = std::int64_t(1) << 28;  ///< width x height x channels
+    std::int64_t max_values = std::int64_t(1) << 28;    ///< width x height x channels
+    std::int64_t spare_memory = std::int64_t(1) << 30;  ///< bytes, beyond what a picture of its size needs
+    int spare_seconds = 10;                             ///< of processor time, beyond what its size explains
 };
 
 /// How light became the numbers of a file.

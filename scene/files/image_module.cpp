@@ -1,10 +1,16 @@
 #include "scene/files/image_module.hpp"
 
+#include <csignal>
+#include <cstring>
 #include <filesystem>
+#include <functional>
+#include <system_error>
 
 #include <dlfcn.h>
 
 #include "scene/error.hpp"
+#include "scene/files/child_process.hpp"
+#include "scene/files/image_message.hpp"
 
 namespace kreda::scene {
 
@@ -22,6 +28,60 @@ std::string first_file(const std::vector<std::string>& places, const std::string
     throw UserError(Place{image}, std::string("needs ") + kModuleName +
                                       ", which is neither beside the program nor in ../lib/kreda from there; build the "
                                       "target kreda_images, or install Kreda again with cmake --install");
+}
+
+void check_is_file(const std::string& path) {
+    std::error_code failed;
+    if (!fs::exists(path, failed)) throw UserError(Place{path}, "no such image file");
+    if (!fs::is_regular_file(path, failed)) throw UserError(Place{path}, "is not a file; an image file is needed");
+    if (fs::file_size(path, failed) == 0) throw UserError(Place{path}, "is empty; an image file is needed");
+}
+
+/// Why the child process of an image gave none.
+std::string reason_of_end(const ChildEnd& end, const ImageReadOptions& options) {
+    const std::string save_again = "; open it in another program and save it again";
+    if (end.signal == SIGXCPU || end.signal == SIGALRM || end.signal == SIGKILL) {
+        return "takes more than " + std::to_string(options.spare_seconds) +
+               " s beyond what its size explains, and was given up" + save_again;
+    }
+    const std::string signal = end.signal == 0 ? "" : " (" + std::string(strsignal(end.signal)) + ")";
+    return "is damaged, or needs more than " + std::to_string(options.spare_memory >> 20) +
+           " MiB beyond its own size: OpenImageIO crashed on it" + signal + save_again;
+}
+
+/// Let the module work in a child process, whose memory and time are limited: OpenImageIO 2.4 crashes on some damaged
+/// files, and others, of a few bytes, make it ask for gigabytes. Here it is loaded and never run, so that a child has
+/// none of its threads to miss.
+ImageMessage run_module(const std::string& path, const ImageReadOptions& options,
+                        const std::function<void(ImageMessage&)>& work) {
+    ImageMessage message;
+    const auto send = [&](int pipe) {
+        ImageMessage made;
+        try {
+            work(made);
+        } catch (const UserError& error) { made.complaint = error.what(); }
+        send_message(pipe, made);
+    };
+    ChildEnd end;
+    try {
+        end = run_in_child({options.spare_memory, options.spare_seconds}, send,
+                           [&](int pipe) { return receive_message(pipe, options, message); });
+    } catch (const std::system_error& error) {
+        throw UserError(Place{path}, std::string("cannot be decoded in a process of its own: ") + error.what());
+    }
+    if (!end.is_whole) throw UserError(Place{path}, reason_of_end(end, options));
+    if (!message.complaint.empty()) throw UserError(message.complaint);
+    return message;
+}
+
+/// The encoder copies the values a few times, and packs some ten million in a second.
+ImageReadOptions options_to_encode(const InterleavedImage& image) {
+    constexpr std::int64_t kCopies = 4, kValuesInSecond = 5'000'000;
+    const std::int64_t values = static_cast<std::int64_t>(image.values.size());
+    ImageReadOptions options;
+    options.spare_memory += kCopies * values * std::int64_t(sizeof(float));
+    options.spare_seconds += static_cast<int>(values / kValuesInSecond);
+    return options;
 }
 
 /// The module for the whole program, opened by whoever needs it first.
@@ -57,7 +117,11 @@ const ImageModule& open_image_module(const std::vector<std::string>& places, con
 }
 
 StoredImage read_stored_image(const std::string& path, const ImageReadOptions& options) {
-    return image_module(path).read_stored_image(path, options);
+    check_is_file(path);
+    const ImageModule& module = image_module(path);
+    return run_module(path, options,
+                      [&](ImageMessage& message) { message.stored = module.read_stored_image(path, options); })
+        .stored;
 }
 
 raster::Image read_image(const std::string& path, const ImageReadOptions& options) {
@@ -65,7 +129,10 @@ raster::Image read_image(const std::string& path, const ImageReadOptions& option
 }
 
 std::vector<unsigned char> encode_exr(const std::string& path, const InterleavedImage& image) {
-    return image_module(path).encode_exr(path, image);
+    const ImageModule& module = image_module(path);
+    const ImageReadOptions options = options_to_encode(image);
+    return run_module(path, options, [&](ImageMessage& message) { message.bytes = module.encode_exr(path, image); })
+        .bytes;
 }
 
 }  // namespace kreda::scene

@@ -13,6 +13,7 @@ using lighting::MaterialMaps;
 using lighting::PhongMaterial;
 
 constexpr Range kIndex{0.1, 10.0};
+constexpr Range kIor{0.01, 100.0}, kExtinction{0.0, 100.0};  // beside kIndex within the domain of lighting/fresnel.hpp
 constexpr Range kWardAlpha{0.002, 1.0};  // narrower than the least alpha of a microfacet: it would glitter
 
 std::vector<std::string_view> measured_names() {
@@ -96,9 +97,9 @@ MaterialKeys microfacet_keys() {
         row<M>("energy_compensation", microfacet(&C::energy_compensation),
                "cook_torrance: light that bounces more than once", {.words = {"none", "kulla_conty"}}),
         row<M>("ior", microfacet(&C::ior), "cook_torrance: n per channel; F0 then comes from n and k",
-               {.range = kPositive, .example = "[0.18, 0.42, 1.37]"}),
+               {.range = kIor, .example = "[0.18, 0.42, 1.37]"}),
         row<M>("extinction", microfacet(&C::extinction), "cook_torrance: k per channel, with ior; without it 0",
-               {.range = kNotNegative, .example = "[3.42, 2.35, 1.77]"}),
+               {.range = kExtinction, .example = "[3.42, 2.35, 1.77]"}),
         row<M>("measured", microfacet(&C::measured),
                "cook_torrance: n and k as somebody measured them; a metal is metallic = 1",
                {.words = measured_names(), .example = "\"gold\""}),

@@ -36,8 +36,10 @@ struct Decoder {
         if (kind == MapKind::normal) return lighting::normal_component(value, stored.bits);
         const bool is_light = kind == MapKind::radiance;
         const float linear = is_light || kind == MapKind::color ? linear_from_stored(value, stored) : value;
-        outside += linear < 0.0f || (linear > 1.0f && !is_light);
-        return is_light ? std::max(linear, 0.0f) : raster::saturate(linear);
+        constexpr float kMostLight = 1e9f;  // as of [environment]: with the other factors it stays finite
+        const float most = is_light ? kMostLight : 1.0f;
+        outside += linear < 0.0f || linear > most;
+        return is_light ? std::clamp(linear, 0.0f, most) : raster::saturate(linear);
     }
 };
 
@@ -92,7 +94,8 @@ void warn(const std::string& path, const ColorChannels& channels, const Decoder&
         if (count > 0) warnings.push_back(UserError(Place{path}, std::to_string(count) + what).what());
     };
     say(decoder.non_finite, " values are NaN or infinite; 0 is used instead");
-    say(is_light ? decoder.outside : 0, " values are below 0 and were clamped: a map of emission holds light");
+    say(is_light ? decoder.outside : 0,
+        " values are below 0 or above 1e9 and were clamped: a map of emission holds light");
     say(is_light ? 0 : decoder.outside,
         " values are outside of 0..1 and were clamped: a map holds shares and reflectances");
 }

@@ -72,15 +72,17 @@ std::string nearly_same_name(const MtlMaterials& materials, const std::string& n
 void settle_missing(const ObjScan& scan, MaterialReader& reader) {
     std::vector<std::string> names;
     for (const lighting::Material& material : reader.materials.materials) names.push_back(material.name);
+    constexpr const char* kLost = "materials that are in no MTL file";
     for (const ObjName& used : scan.materials) {
         if (reader.materials.index_of_name.contains(used.name)) continue;
-        const std::string other = nearly_same_name(reader.materials, used.name), near = nearest_word(used.name, names);
+        const std::string other = nearly_same_name(reader.materials, used.name);
+        const bool is_shown = other.empty() && !reader.warnings.has_enough_of(kLost);
+        const std::string near = is_shown ? nearest_word(used.name, names) : "";  // as slow as there are names
         const std::string remedy = !other.empty()  ? "; " + token_in_quotes(other) + " is used instead"
                                    : !near.empty() ? "; did you mean " + token_in_quotes(near) + "?"
                                                    : "";
         if (!other.empty()) reader.materials.index_of_name[used.name] = reader.materials.index_of_name[other];
-        reader.warnings.add("materials that are in no MTL file", used.offset,
-                            "the material " + token_in_quotes(used.name) + " is in no MTL file" + remedy);
+        reader.warnings.add(kLost, used.offset, "the material " + token_in_quotes(used.name) + " is in no MTL file" + remedy);
     }
 }
 

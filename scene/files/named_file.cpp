@@ -97,10 +97,11 @@ std::string find_named_file(const ObjText& text, std::size_t offset, const std::
                             const NamedFileLimits& limits, const std::string& kind, const std::string& without,
                             ObjWarnings& warnings) {
     const NamedPath found = resolve_named_path(text, offset, named, limits);
+    const std::string lost = kind + "s that are not there";
     if (found.path.empty()) {
-        const std::string near = did_you_mean_file(folder_of(text.file) + "/" + with_slashes(named));
-        warnings.add(kind + "s that are not there", offset,
-                     "no such " + kind + ": " + path_in_quotes(named) + without + near);
+        const bool is_shown = !warnings.has_enough_of(lost);
+        const std::string near = is_shown ? did_you_mean_file(folder_of(text.file) + "/" + with_slashes(named)) : "";
+        warnings.add(lost, offset, "no such " + kind + ": " + path_in_quotes(named) + without + near);
     } else if (found.is_other) {
         warnings.add(kind + "s of nearly the same path", offset,
                      path_in_quotes(named) + " is not there; " + path_in_quotes(found.path) + " is used instead");

@@ -77,11 +77,16 @@ ObjText read_obj_text(const std::string& path) {
 }
 
 void ObjWarnings::add(std::string_view kind, std::size_t offset, const std::string& message) {
-    add_line(kind, warning_at(text_, offset, message));
+    add_line(kind, has_enough_of(kind) ? "" : warning_at(text_, offset, message));
+}
+
+bool ObjWarnings::has_enough_of(std::string_view kind) const {
+    const auto found =
+        std::find_if(kinds_.begin(), kinds_.end(), [&](const Kind& known) { return known.name == kind; });
+    return found != kinds_.end() && found->count >= kMost;
 }
 
 void ObjWarnings::add_line(std::string_view kind, const std::string& line) {
-    constexpr std::size_t kMost = 10;
     auto found = std::find_if(kinds_.begin(), kinds_.end(), [&](const Kind& known) { return known.name == kind; });
     if (found == kinds_.end()) found = kinds_.insert(kinds_.end(), Kind{std::string(kind), {}, 0});
     if (found->count++ < kMost) found->lines.push_back(line);

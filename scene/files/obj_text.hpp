@@ -42,11 +42,14 @@ public:
     void add(std::string_view kind, std::size_t offset, const std::string& message);
     /// The same with a whole line, which says its place.
     void add_line(std::string_view kind, const std::string& line);
+    /// Whether further warnings of the kind are counted and not shown: their text need not be thought about.
+    [[nodiscard]] bool has_enough_of(std::string_view kind) const;
 
     /// All lines, those of a kind together, the kinds in the order in which they came.
     [[nodiscard]] std::vector<std::string> lines() const;
 
 private:
+    static constexpr std::size_t kMost = 10;  ///< lines of a kind
     struct Kind {
         std::string name;
         std::vector<std::string> lines;

@@ -165,9 +165,16 @@ Scene build_scene(const Value& root, const std::string& name, const std::string&
     return scene;
 }
 
+/// What a shell hands over, `kreda render <(generate)`: a pipe that somebody writes to.
+bool is_from_shell(const std::string& path) {
+    return path == "/dev/stdin" || path.starts_with("/dev/fd/") || path.starts_with("/proc/self/fd/");
+}
+
 std::string read_text_file(const std::string& path) {
     std::error_code error;
     if (std::filesystem::is_directory(path, error)) throw UserError({path}, "is a folder, not a scene file");
+    const bool is_odd = std::filesystem::exists(path, error) && !std::filesystem::is_regular_file(path, error);
+    if (is_odd && !is_from_shell(path)) throw UserError({path}, "is a pipe or a device, not a scene file");
     errno = 0;
     std::ifstream file(path, std::ios::binary);
     if (!file) {

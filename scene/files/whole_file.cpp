@@ -34,8 +34,11 @@ bool write_bytes(const fs::path& path, const std::vector<Bytes>& parts) {
 }  // namespace
 
 void write_whole_file(const std::string& path, const std::vector<Bytes>& parts) {
-    const fs::path temporary = temporary_name(path);
     std::error_code failed;
+    if (fs::exists(path, failed) && !fs::is_regular_file(path, failed)) {
+        throw UserError(Place{path}, "is a folder, a pipe or a device and would be replaced; name a file");
+    }
+    const fs::path temporary = temporary_name(path);
     const bool is_written = write_bytes(temporary, parts);
     if (is_written) fs::rename(temporary, path, failed);
     if (is_written && !failed) return;

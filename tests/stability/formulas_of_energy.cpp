@@ -1,0 +1,81 @@
+// The equations of lighting/energy.hpp as the paper prints them, in long double.
+#include <algorithm>
+#include <cmath>
+
+#include "lighting/energy.hpp"
+#include "tests/stability/formula_sweep.hpp"
+
+namespace kreda::tests {
+
+namespace {
+
+using namespace kreda::lighting;
+using Real = long double;
+using Spread = Axis::Spread;
+
+constexpr Real kPi = 3.14159265358979323846264L;
+const Axis kCosine{0.0f, 1.0f, Spread::even, {1e-8f, 1e-4f, 0.5f}};
+const Axis kRoughness{0.0f, 1.0f, Spread::even, {1e-8f, 0.045f, 0.5f}};
+
+}  // namespace
+
+std::vector<Formula> formulas_of_energy() {
+    static const EnergyTable table = compute_energy_table(Distribution::ggx, Geometry::smith_correlated);
+    const Axis share{0.0f, 1.0f, Spread::even, {1e-8f, 0.5f, 0.999999f}};
+    const auto itself = [](float (*albedo)(const Inputs&)) {
+        return [albedo](const Inputs& x) { return Real{albedo(x)}; };
+    };
+    const auto directional = [](const Inputs& x) { return directional_albedo(table, x[0], x[1]); };
+    const auto average = [](const Inputs& x) { return average_albedo(table, x[0]); };
+    return {
+        {"directional_albedo",
+         "mu, roughness in [0, 1]",
+         "[0, 1]",
+         0,
+         1,
+         false,
+         0,
+         {kCosine, kRoughness},
+         directional,
+         itself(directional)},
+        {"average_albedo", "roughness in [0, 1]", "[0, 1]", 0, 1, false, 0, {kRoughness}, average, itself(average)},
+        {"multiple_scattering",
+         "E(l), E(v) in [0, 1], E_avg in [0, 1]",
+         "[0, 3.2e5]",
+         0,
+         3.2e5,
+         true,
+         1e-6,
+         {share, share, share},
+         [](const Inputs& x) { return multiple_scattering(x[0], x[1], x[2]); },
+         [](const Inputs& x) {
+             const Real lost = std::max(1 - Real{x[2]}, Real(1e-6f));
+             return (1 - Real{x[0]}) * (1 - Real{x[1]}) / (kPi * lost);
+         }},
+        {"multiple_scattering_color",
+         "F_avg, E_avg in [0, 1]",
+         "[0, 1]",
+         0,
+         1,
+         false,
+         1e-1,
+         {share, share},
+         [](const Inputs& x) { return multiple_scattering_color(x[0], x[1]); },
+         [](const Inputs& x) {
+             const Real below = 1 - x[0] * (1 - Real{x[1]});
+             return Real{x[0]} * x[0] * x[1] / std::max(below, Real(1e-6f));
+         }},
+        {"average_schlick",
+         "R_0 in [0, 1]",
+         "[0.047, 1]",
+         0.047,
+         1,
+         false,
+         2e-7,
+         {share},
+         [](const Inputs& x) { return average_schlick(x[0]); },
+         [](const Inputs& x) { return x[0] + (1 - Real{x[0]}) / 21; }},
+    };
+}
+
+}  // namespace kreda::tests
