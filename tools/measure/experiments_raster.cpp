@@ -317,8 +317,10 @@ Finding measure_float(const Effort& effort) {
     effort.show(1.0);
     finding.text = "Over " + std::to_string(count) + " inputs each, float errs by at most " +
                    digits(cases[0].relative) + " (relative) in the exact Fresnel term of metals, " +
-                   digits(cases[3].relative) + " in GGX written with sin^2 and " + digits(cases[4].relative) +
-                   " in GGX as textbooks print it: 1 - (n.h)^2 cancels in a narrow highlight. pow errs by " +
+                   digits(cases[3].relative) + " in GGX written with sin^2 and " +
+                   (std::isfinite(cases[4].relative) ? "by " + digits(cases[4].relative) : "without any bound") +
+                   " in GGX as textbooks print it: in a narrow highlight (n.h)^2 (a^2 - 1) + 1 cancels, down to 0. "
+                   "pow errs by " +
                    digits(cases[5].relative) + ".";
     return finding;
 }

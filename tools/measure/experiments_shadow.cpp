@@ -80,7 +80,7 @@ Finding measure_shadow_map(const Effort& effort) {
     finding.text =
         "A map of 1024 texels a side gets " + fixed(without_bias, 2) + " % of the samples wrong without bias and " +
         fixed(with_bias, 3) + " % with the least bias that a flat surface needs. From 256 to 2048 texels a side " +
-        "the error falls from " + fixed(small, 3) + " % to " + fixed(large, 3) +
+        "the error falls from " + digits(small) + " % to " + digits(large) +
         " %: the edges' length stays, their displacement shrinks with the texels. Without a bias a larger map " +
         "does not help.";
     return finding;
