@@ -26,12 +26,12 @@ std::vector<Structure> structures_of(const std::vector<Term>& terms, const Measu
                 longer.back().chosen.push_back(-1);
                 continue;
             }
-            const double own = measured.options[t][static_cast<std::size_t>(terms[t].own)].frame;
+            const double base = measured.options[t][static_cast<std::size_t>(terms[t].base)].frame;
             for (std::size_t o = 0; o < terms[t].options.size(); ++o) {
                 if (!allowed[t][o]) continue;
                 longer.push_back(part);
                 longer.back().chosen.push_back(static_cast<int>(o));
-                longer.back().factor *= own > 0.0 ? measured.options[t][o].frame / own : 1.0;
+                longer.back().factor *= base > 0.0 ? measured.options[t][o].frame / base : 1.0;
                 longer.back().error += budget_of(measured.options[t][o].error);
             }
         }
@@ -68,7 +68,7 @@ std::vector<KnapsackChoice> best_choices(const std::vector<Term>& terms, const M
         bool is_possible = true;
         for (std::size_t t = 0; t < terms.size(); ++t) {
             if (structure.chosen[t] >= 0) continue;
-            const MeasuredOption& own = measured.options[t][static_cast<std::size_t>(terms[t].own)];
+            const MeasuredOption& base = measured.options[t][static_cast<std::size_t>(terms[t].base)];
             classes.emplace_back();
             options_of_class.emplace_back();
             term_of_class.push_back(t);
@@ -76,7 +76,7 @@ std::vector<KnapsackChoice> best_choices(const std::vector<Term>& terms, const M
                 if (!allowed[t][o] || !goes_with(terms, structure, terms[t].options[o])) continue;
                 const MeasuredOption& option = measured.options[t][o];
                 classes.back().push_back(
-                    {structure.factor * frame_scale * (option.frame - own.frame) + (option.bake - own.bake) / frames,
+                    {structure.factor * frame_scale * (option.frame - base.frame) + (option.bake - base.bake) / frames,
                      budget_of(option.error)});
                 options_of_class.back().push_back(static_cast<int>(o));
             }
@@ -85,7 +85,7 @@ std::vector<KnapsackChoice> best_choices(const std::vector<Term>& terms, const M
         if (!is_possible) continue;
         for (const KnapsackChoice& inner : pareto_front(classes, kMostError)) {
             KnapsackChoice whole{
-                inner.cost + structure.factor * frame_scale * measured.own.frame + measured.own.bake / frames,
+                inner.cost + structure.factor * frame_scale * measured.base.frame + measured.base.bake / frames,
                 inner.error + structure.error, structure.chosen};
             for (std::size_t c = 0; c < classes.size(); ++c) {
                 whole.chosen[term_of_class[c]] = options_of_class[c][static_cast<std::size_t>(inner.chosen[c])];

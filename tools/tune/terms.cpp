@@ -56,6 +56,7 @@ void add_term(Subject& subject, Term term, const TermOption& own, const TermOpti
     add_option(subject, term, oracle);
     term.own = index_of(term, own);
     term.oracle = index_of(term, oracle);
+    term.base = term.own;
     if (term.own < 0 || term.oracle < 0) return prune(subject, term.name, "its oracle is refused with this scene");
     if (term.options.size() < 2) return prune(subject, term.name, "there is one way alone");
     subject.found.terms.push_back(std::move(term));
@@ -131,7 +132,9 @@ void add_supersampling(Subject& subject) {
         add_option(subject, term, option(n));
         most = std::max(most, n);
     }
+    const std::size_t terms = subject.found.terms.size();
     add_term(subject, std::move(term), option(image.samples), option(most));
+    if (subject.found.terms.size() > terms) subject.found.terms.back().base = 0;  // the first: the fewest samples
 }
 
 void add_picture_terms(Subject& subject) {
@@ -199,6 +202,9 @@ bool is_constant(const scene::EnvironmentSettings& environment) {
     return true;
 }
 
+/// More samples of the split sum than these buy nothing: what it misses of the integral is far more than their noise.
+constexpr int kMostOfSplitSum = 2048;
+
 void add_environment_term(Subject& subject) {
     if (!subject.plan.lit_by_environment) return prune(subject, "environment", "nothing is lit by one");
     if (is_kept(subject, "environment", "reference", "environment")) return;
@@ -220,7 +226,9 @@ void add_environment_term(Subject& subject) {
         mirrors ? find_choice("environment", "samples")->values
                 : std::vector<std::string>{subject.own("environment", -1, "samples")};  // no prefiltered level is read
     for (const std::string& irradiance : find_choice("environment", "irradiance")->values) {
-        for (const std::string& count : samples) add_option(subject, term, split_sum(irradiance, count));
+        for (const std::string& count : samples) {
+            if (std::stoi(count) <= kMostOfSplitSum) add_option(subject, term, split_sum(irradiance, count));
+        }
     }
     const Choice& reference = *find_choice("environment", "reference");
     for (const std::string& count : reference.values) {

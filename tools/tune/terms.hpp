@@ -26,6 +26,7 @@ struct Term {
     std::vector<TermOption> options;
     int oracle = 0;  ///< what the others are measured against
     int own = 0;     ///< what the scene says
+    int base = 0;    ///< what holds while other terms are measured: the scene's own, but one sample a pixel
 };
 
 /// A term that is left alone, and why no picture can differ by it, or why nothing would be saved.

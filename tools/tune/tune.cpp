@@ -60,6 +60,7 @@ Verified verify(const Search& search, const KnapsackChoice& choice) {
     verified.picture = draw_picture(search.scene_with(choice.chosen), buffers, search.options.threads).encoded;
     verified.error = code_error(verified.picture, search.tuned.oracle_picture);
     ++search.tuned.renders;
+    search.tuned.trials.push_back({choice, verified.error, ""});
     return verified;
 }
 
@@ -89,7 +90,7 @@ void raise_term(Search& search, const KnapsackChoice& choice) {
         const bool is_oracle = static_cast<int>(o) == search.terms()[most].oracle;
         if (!is_oracle && error >= spent) search.allowed[most][o] = false;
     }
-    ++search.tuned.raised;
+    search.tuned.trials.back().raised = search.terms()[most].name;
 }
 
 /// Choose, verify, raise, until the budget is kept; the oracles themselves keep every budget.
@@ -137,8 +138,7 @@ Verified spend_the_rest(Search& search, double budget, Verified best) {
 double cost_of(const scene::Scene& scene, const TuneOptions& options) {
     if (options.cost_by == CostBy::plan) {
         const scene::RenderPlan plan = make_plan(scene);
-        const double bake = baking_operations(plan);
-        return 1e-6 * (total_operations(plan) - bake + bake / options.frames);
+        return 1e-6 * (total_operations(plan) + baking_operations(plan) / options.frames);
     }
     scene::RenderBuffers buffers;
     const Picture first = draw_picture(scene, buffers, options.threads);
@@ -204,22 +204,34 @@ std::vector<Change> changes_of(const Search& search, const std::vector<int>& cho
     return changes;
 }
 
+/// A frame of the whole picture / of a probe, both with the scene's own settings.
+double frame_scale_of(const Search& search) {
+    const MeasuredTerms& measured = search.tuned.measured;
+    double probe = measured.base.frame;
+    for (std::size_t t = 0; t < search.terms().size(); ++t) {
+        const Term& term = search.terms()[t];
+        if (term.cost == CostKind::added) continue;
+        const double base = measured.options[t][static_cast<std::size_t>(term.base)].frame;
+        if (base > 0.0) probe *= measured.options[t][static_cast<std::size_t>(term.own)].frame / base;
+    }
+    const double whole = cost_of(search.scene_with(owns(search.terms())), search.options);
+    const double frame = whole - measured.base.bake / search.options.frames;
+    return probe > 0.0 && frame > 0.0 ? frame / probe : 1.0;
+}
+
 }  // namespace
 
 Tuned tune(const SceneSource& source, const std::set<std::string>& kept, const TuneOptions& options) {
     Tuned tuned;
     tuned.found = terms_of(source, kept);
+    limit_oracle(source, tuned.found.terms, options);
     tuned.measured = measure_terms(source, tuned.found.terms, options);
     tuned.renders = tuned.measured.renders;
     Search search{source, options, tuned, {}};
     for (const Term& term : search.terms()) search.allowed.emplace_back(term.options.size(), true);
-    const MeasuredOption own = tuned.measured.own;
-    const scene::Scene whole = read_with(source, {});
-    scene::RenderBuffers buffers;
-    const double own_cost = cost_of(whole, options);
-    const double own_frame = own_cost - own.bake / options.frames;
-    search.frame_scale = own.frame > 0.0 && own_frame > 0.0 ? own_frame / own.frame : 1.0;
+    search.frame_scale = frame_scale_of(search);
     tuned.front = search.front();
+    scene::RenderBuffers buffers;
     tuned.oracle_picture = draw_picture(search.scene_with(oracles(search.terms())), buffers, options.threads).encoded;
     tuned.renders += 2;
 

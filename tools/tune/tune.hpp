@@ -28,7 +28,8 @@ struct TuneOptions {
     std::optional<double> max_error;  ///< codes: see budget_of
     std::optional<double> budget_ms;  ///< of a picture, with its share of baking
     int frames = 1;                   ///< that baking is shared among
-    int probe_pixels = 40'000;        ///< of the pictures that single options are measured on
+    int probe_pixels = 16'000;        ///< of the pictures that single options are measured on
+    double oracle_seconds = 60.0;     ///< that the truth may take at most, about: fewer samples are taken if need be
     int rounds = 3;                   ///< that an option is timed
     int threads = 0;
     CostBy cost_by = CostBy::time;
@@ -48,9 +49,13 @@ struct MeasuredOption {
 
 struct MeasuredTerms {
     std::vector<std::vector<MeasuredOption>> options;  ///< of each term
-    MeasuredOption own;                                ///< the scene as it is
+    MeasuredOption base;                               ///< all terms at their base
     int renders = 0;                                   ///< pictures of different settings
 };
+
+/// Takes the greatest numbers of samples out of the terms, so that a picture by all oracles takes no longer than
+/// options.oracle_seconds: measured on a small one.
+void limit_oracle(const SceneSource& source, std::vector<Term>& terms, const TuneOptions& options);
 
 [[nodiscard]] MeasuredTerms measure_terms(const SceneSource& source, const std::vector<Term>& terms,
                                           const TuneOptions& options);
@@ -61,6 +66,13 @@ struct MeasuredTerms {
                                                        const std::vector<std::vector<bool>>& allowed, int frames,
                                                        double frame_scale);
 
+/// A set that was rendered as a whole.
+struct Trial {
+    KnapsackChoice choice;  ///< its predicted cost and error
+    CodeError error;        ///< what it really missed
+    std::string raised;     ///< the term that was raised after it; empty: none was
+};
+
 struct Tuned {
     SceneTerms found;
     MeasuredTerms measured;
@@ -69,7 +81,8 @@ struct Tuned {
     CodeError achieved;                                           ///< of the choice, verified
     double promised = 0.0;                                        ///< the budget
     double chosen_cost = 0.0, own_cost = 0.0, oracle_cost = 0.0;  ///< of the whole picture, measured side by side
-    int renders = 0, raised = 0;
+    int renders = 0;                                              ///< pictures of different settings
+    std::vector<Trial> trials;
     raster::Image chosen_picture, oracle_picture;
     std::string text;  ///< the scene file with the choice
 };

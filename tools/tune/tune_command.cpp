@@ -104,7 +104,12 @@ void print_terms(const Tuned& tuned) {
     }
     std::cout << "left alone:\n";
     for (const PrunedTerm& pruned : tuned.found.pruned) std::cout << "  " << pruned.name << ": " << pruned.why << "\n";
-    std::cout << tuned.renders << " settings were rendered, " << tuned.raised << " terms raised after verification\n";
+    std::cout << "verified, " << tuned.renders << " settings rendered in all:\n";
+    for (const Trial& trial : tuned.trials) {
+        std::cout << "  predicted " << fixed(trial.choice.error, 2) << " codes, missed "
+                  << fixed(budget_of(trial.error), 2) << (trial.raised.empty() ? "" : "; raised: " + trial.raised)
+                  << "\n";
+    }
 }
 
 /// "# ..." before each line.
