@@ -24,7 +24,6 @@
 
 using namespace kreda;
 using namespace kreda::tests;
-using namespace kreda::examples;
 using namespace kreda::tools;
 using std::numbers::pi;
 

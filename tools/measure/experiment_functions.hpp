@@ -29,7 +29,8 @@ namespace kreda::tools {
 [[nodiscard]] Finding measure_supersampling(const Effort& effort);
 [[nodiscard]] Finding measure_texture_filter(const Effort& effort);
 [[nodiscard]] Finding measure_fog(const Effort& effort);
-[[nodiscard]] Finding measure_float(const Effort& effort);
 [[nodiscard]] Finding measure_transfer(const Effort& effort);
+// experiments_float.cpp
+[[nodiscard]] Finding measure_float(const Effort& effort);
 
 }  // namespace kreda::tools
