@@ -30,33 +30,35 @@ constexpr int kMostOfSplitSum = 2048;
 
 }  // namespace
 
+namespace {
+
+TermOption method_option(const std::string& method) {
+    return {method == "exact" ? "rays" : method, {{"shadow", -1, "method", method}}};
+}
+
+}  // namespace
+
 /// Hard shadows are measured against rays, soft ones against the finest map.
 void add_shadow_term(TermSubject& subject) {
     if (is_kept(subject, "shadow", "method", "shadows")) return;
     if (subject.plan.shadows.empty()) return prune(subject, "shadows", "no light casts shadows onto anything seen");
     const auto own = [&](const std::string& key) { return subject.own("shadow", -1, key); };
     const Choice& sizes = *find_choice("shadow", "size");
-    const bool is_soft = own("method") == "map" && own("filter") == "pcss";
-    const std::string filter = is_soft ? "pcss" : own("filter");
-    const TermOption rays{"rays", {{"shadow", -1, "method", "exact"}}};
-    const TermOption finest = map_option(sizes.oracle, "slope", "pcss");
+    const bool is_map = own("method") == "map", is_soft = is_map && own("filter") == "pcss";
+    const std::string filter = own("filter");
     Term term{"shadows", CostKind::added, {}, 0, 0};
     for (const std::string& size : sizes.values) {
         for (const char* bias : {"slope", "normal_offset"}) add_option(subject, term, map_option(size, bias, filter));
         if (filter != "none") add_option(subject, term, map_option(size, "slope", "none"));
     }
-    if (!is_soft) {
-        for (const std::string& method : find_choice("shadow", "method")->values) {
-            if (method != "map") add_option(subject, term, {method, {{"shadow", -1, "method", method}}});
-        }
-        term.options.erase(std::remove_if(term.options.begin(), term.options.end(),
-                                          [](const TermOption& option) { return option.name == "exact"; }),
-                           term.options.end());
+    for (const std::string& method : find_choice("shadow", "method")->values) {
+        if (!is_soft && method != "map") add_option(subject, term, method_option(method));
     }
-    const bool is_map = own("method") == "map";
-    const TermOption mine = is_map ? map_option(own("size"), own("bias"), own("filter"))
-                                   : TermOption{own("method"), {{"shadow", -1, "method", own("method")}}};
-    add_term(subject, std::move(term), own("method") == "exact" ? rays : mine, is_soft ? finest : rays);
+    TermOption mine = method_option(own("method"));
+    if (is_map) mine = map_option(own("size"), own("bias"), filter);
+    TermOption oracle = method_option("exact");
+    if (is_soft) oracle = map_option(sizes.oracle, "slope", "pcss");
+    add_term(subject, std::move(term), mine, oracle);
 }
 
 void add_environment_term(TermSubject& subject) {
