@@ -5,22 +5,13 @@
 #include <vector>
 
 #include "examples/draw.hpp"
-#include "examples/fresnel_methods.hpp"
-#include "raster/camera.hpp"
-#include "raster/mesh.hpp"
+#include "tools/measure/fresnel_methods.hpp"
+#include "tools/measure/views_around.hpp"
 
 namespace kreda::examples {
 
-struct Subject {
-    std::string name;
-    raster::Mesh mesh;
-};
-
-/// A cube of side 1, and a torus knot: few large faces, and normals in all directions.
-[[nodiscard]] std::vector<Subject> comparison_subjects();
-
-/// The camera of view 0 .. 179: two units from the middle, turned about the axis (1, 1, 1) by a degree a view.
-[[nodiscard]] raster::Camera comparison_camera(int view);
+using tools::comparison_camera, tools::comparison_subjects, tools::Subject;
+using tools::exact_fresnel, tools::fresnel_curves, tools::FresnelCurve, tools::mean_errors_percent;
 
 /// The cosines n.v of every pixel of 180 views that sees the object.
 [[nodiscard]] std::vector<float> cosines_of_views(const raster::Mesh& mesh, glm::ivec2 size);

@@ -32,6 +32,8 @@ Examples:
   kreda bake dawn.hdr -o dawn                     the maps of light from an image as EXR files
   kreda compare mine.png golden.png               the same within limits? where not?
   kreda grade anna --rubric A3/rubric.toml        a student's work, boxed and marked
+  kreda measure all --quick -o measured           what each approximation costs and saves: tables, plots, a page
+  kreda tune scene.toml --max-error 2             the cheapest settings whose picture errs by 2 codes at most
   kreda keys                                      everything a scene file may say)";
 
 /// A complaint is one line, whatever is in the names that it quotes.
@@ -99,6 +101,8 @@ int main(int argc, char** argv) {
         kreda::tools::add_keys_command(app);
         kreda::tools::add_gallery_command(app);
         kreda::tools::add_bench_command(app);
+        kreda::tools::add_measure_command(app);
+        kreda::tools::add_tune_command(app);
         return run(app, argc, argv);
     } catch (const kreda::scene::UserError& error) {
         return complain(error.what(), kUserError);

@@ -8,10 +8,11 @@
 
 #include "examples/chart.hpp"
 #include "examples/example.hpp"
-#include "examples/fresnel_methods.hpp"
+#include "tools/measure/fresnel_methods.hpp"
 
 using namespace kreda;
 using namespace kreda::examples;
+using namespace kreda::tools;
 using namespace kreda::lighting;
 
 namespace {

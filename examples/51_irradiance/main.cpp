@@ -6,14 +6,15 @@
 
 #include "examples/chart.hpp"
 #include "examples/example.hpp"
-#include "examples/irradiance_error.hpp"
 #include "examples/sphere_views.hpp"
 #include "examples/stopwatch.hpp"
 #include "lighting/environment/environment_image.hpp"
 #include "raster/film.hpp"
+#include "tools/measure/irradiance_error.hpp"
 
 using namespace kreda;
 using namespace kreda::examples;
+using namespace kreda::tools;
 using lighting::CubeMap;
 using lighting::IrradianceSum;
 

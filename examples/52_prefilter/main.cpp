@@ -7,16 +7,17 @@
 
 #include "examples/chart.hpp"
 #include "examples/example.hpp"
-#include "examples/irradiance_error.hpp"
 #include "examples/lit_scene.hpp"
-#include "examples/prefilter_levels.hpp"
 #include "examples/sphere_views.hpp"
 #include "lighting/environment/environment_image.hpp"
 #include "lighting/importance.hpp"
 #include "scene/render/render.hpp"
+#include "tools/measure/irradiance_error.hpp"
+#include "tools/measure/prefilter_levels.hpp"
 
 using namespace kreda;
 using namespace kreda::examples;
+using namespace kreda::tools;
 using lighting::CubeMap;
 
 namespace {

@@ -6,12 +6,13 @@
 #include <cstdio>
 #include <functional>
 
-#include "examples/brdf_quadrature.hpp"
 #include "examples/draw.hpp"
 #include "examples/example.hpp"
+#include "tools/measure/brdf_quadrature.hpp"
 
 using namespace kreda;
 using namespace kreda::examples;
+using namespace kreda::tools;
 using lighting::BrdfTerms;
 
 namespace {

@@ -8,11 +8,12 @@
 #include "examples/chart.hpp"
 #include "examples/example.hpp"
 #include "examples/lit_scene.hpp"
-#include "examples/split_sum_error.hpp"
 #include "examples/view_panels.hpp"
+#include "tools/measure/split_sum_error.hpp"
 
 using namespace kreda;
 using namespace kreda::examples;
+using namespace kreda::tools;
 
 namespace {
 

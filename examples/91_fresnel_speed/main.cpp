@@ -10,12 +10,13 @@
 
 #include "examples/chart.hpp"
 #include "examples/example.hpp"
-#include "examples/fresnel_methods.hpp"
 #include "examples/fresnel_views.hpp"
 #include "lighting/batch/microfacet_passes.hpp"
+#include "tools/measure/fresnel_methods.hpp"
 
 using namespace kreda;
 using namespace kreda::examples;
+using namespace kreda::tools;
 using lighting::FresnelMethod;
 
 namespace {

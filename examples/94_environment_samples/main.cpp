@@ -8,13 +8,14 @@
 
 #include "examples/chart.hpp"
 #include "examples/example.hpp"
-#include "examples/irradiance_error.hpp"
-#include "examples/prefilter_levels.hpp"
 #include "examples/stopwatch.hpp"
 #include "lighting/environment/environment_image.hpp"
+#include "tools/measure/irradiance_error.hpp"
+#include "tools/measure/prefilter_levels.hpp"
 
 using namespace kreda;
 using namespace kreda::examples;
+using namespace kreda::tools;
 using lighting::CubeMap;
 
 namespace {

@@ -7,12 +7,13 @@
 
 #include "course.hpp"
 #include "examples/chart.hpp"
-#include "examples/fresnel_methods.hpp"
 #include "lighting/fresnel.hpp"
+#include "tools/measure/fresnel_methods.hpp"
 
 using namespace kreda;
 using namespace kreda::tests;
 using namespace kreda::examples;
+using namespace kreda::tools;
 
 namespace {
 

@@ -11,15 +11,16 @@
 
 #include "course.hpp"
 #include "examples/chart.hpp"
-#include "examples/fresnel_methods.hpp"
 #include "examples/fresnel_views.hpp"
 #include "examples/paint.hpp"
 #include "lighting/spectrum.hpp"
 #include "raster/shapes.hpp"
+#include "tools/measure/fresnel_methods.hpp"
 
 using namespace kreda;
 using namespace kreda::tests;
 using namespace kreda::examples;
+using namespace kreda::tools;
 using std::numbers::pi;
 
 namespace {

@@ -9,11 +9,11 @@
 
 #include "course.hpp"
 #include "environment_rays.hpp"
-#include "examples/irradiance_error.hpp"
 #include "lighting/environment/environment_image.hpp"
 #include "lighting/environment/irradiance.hpp"
 #include "scene/files/image_file.hpp"
 #include "tests/scene/temp_folder.hpp"
+#include "tools/measure/irradiance_error.hpp"
 
 using namespace kreda;
 using namespace kreda::tests;
@@ -125,23 +125,23 @@ TEST_CASE("51_irradiance: the table of the four ways holds what they give") {
 TEST_CASE("51_irradiance: the table of errors holds what maps of 1536 normals give") {
     constexpr int kSize = 16;
     const lighting::CubeMap radiance = lighting::cube_from_sky(lighting::Sky::studio, 64);
-    const lighting::CubeMap exact = examples::every_texel(kSize).make(radiance);
+    const lighting::CubeMap exact = tools::every_texel(kSize).make(radiance);
     const std::pair<const char*, lighting::IrradianceSum> rows[] = {
         {"double sum: error, time", lighting::IrradianceSum::hemisphere},
         {"cosine-weighted", lighting::IrradianceSum::cosine}};
     for (const auto& [row, sum] : rows) {
         const std::vector<QuotedNumber> quoted = documented_row("51_irradiance", "1536 normals", row);
         std::size_t cell = 0;  // two numbers each: error and time
-        for (const examples::IrradianceWay& way : examples::sampling_ways(sum, kSize)) {
+        for (const tools::IrradianceWay& way : tools::sampling_ways(sum, kSize)) {
             if (way.samples < 64) continue;
             CAPTURE(way.samples);
-            CHECK(rounds_to(100.0 * examples::map_error(way.make(radiance), exact).mean, quoted.at(cell)));
+            CHECK(rounds_to(100.0 * tools::map_error(way.make(radiance), exact).mean, quoted.at(cell)));
             cell += 2;
         }
         if (sum == lighting::IrradianceSum::cosine) {
-            const lighting::CubeMap nine = examples::nine_coefficients(kSize).make(radiance);
-            CAPTURE(100.0 * examples::map_error(nine, exact).mean);
-            CHECK(rounds_to(100.0 * examples::map_error(nine, exact).mean, quoted.at(cell)));
+            const lighting::CubeMap nine = tools::nine_coefficients(kSize).make(radiance);
+            CAPTURE(100.0 * tools::map_error(nine, exact).mean);
+            CHECK(rounds_to(100.0 * tools::map_error(nine, exact).mean, quoted.at(cell)));
         }
     }
 }

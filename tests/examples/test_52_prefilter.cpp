@@ -10,10 +10,10 @@
 
 #include "course.hpp"
 #include "environment_rays.hpp"
-#include "examples/irradiance_error.hpp"
-#include "examples/prefilter_levels.hpp"
 #include "lighting/environment/environment_image.hpp"
 #include "lighting/environment/prefilter.hpp"
+#include "tools/measure/irradiance_error.hpp"
+#include "tools/measure/prefilter_levels.hpp"
 
 using namespace kreda;
 using namespace kreda::tests;
@@ -77,9 +77,9 @@ TEST_CASE("52_prefilter: the errors of the page are those against the integral i
 
 TEST_CASE("52_prefilter: the table of errors holds what so many samples give") {
     const lighting::CubeMap sky = lighting::cube_from_sky(lighting::Sky::sunset, 64);
-    const lighting::CubeMap plain = examples::without_mips(sky);
+    const lighting::CubeMap plain = tools::without_mips(sky);
     for (const auto& [roughness, alpha] : {std::pair("roughness 0.5", 0.25f), std::pair("roughness 1", 1.0f)}) {
-        const lighting::CubeMap exact = examples::exact_level(sky, alpha, 8);
+        const lighting::CubeMap exact = tools::exact_level(sky, alpha, 8);
         for (const bool mips : {false, true}) {
             const std::string row = std::string(roughness) + (mips ? ", from mips" : ", plain");
             CAPTURE(row);
@@ -87,8 +87,8 @@ TEST_CASE("52_prefilter: the table of errors holds what so many samples give") {
             REQUIRE(quoted.size() == 5);
             std::size_t cell = 0;
             for (const int samples : {16, 64, 256, 1024, 4096}) {
-                const lighting::CubeMap level = examples::sampled_level(mips ? sky : plain, alpha, samples, 8);
-                const double percent = 100.0 * examples::map_error(level, exact).mean;
+                const lighting::CubeMap level = tools::sampled_level(mips ? sky : plain, alpha, samples, 8);
+                const double percent = 100.0 * tools::map_error(level, exact).mean;
                 CAPTURE(percent);
                 CHECK(rounds_to(percent, quoted[cell++]));
             }

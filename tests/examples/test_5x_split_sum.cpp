@@ -13,18 +13,18 @@
 #include <glm/geometric.hpp>
 
 #include "course.hpp"
-#include "examples/brdf_quadrature.hpp"
-#include "examples/split_sum_error.hpp"
 #include "lighting/environment/environment_image.hpp"
 #include "lighting/environment/sky.hpp"
 #include "scene/files/image_file.hpp"
 #include "scene/files/read_scene.hpp"
 #include "scene/render/render.hpp"
 #include "tests/scene/temp_folder.hpp"
+#include "tools/measure/brdf_quadrature.hpp"
+#include "tools/measure/split_sum_error.hpp"
 
 using namespace kreda;
 using namespace kreda::tests;
-using namespace kreda::examples;
+using namespace kreda::tools;
 using std::numbers::pi;
 
 namespace {

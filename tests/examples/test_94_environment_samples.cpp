@@ -5,10 +5,10 @@
 
 #include "course.hpp"
 #include "environment_rays.hpp"
-#include "examples/irradiance_error.hpp"
-#include "examples/prefilter_levels.hpp"
 #include "lighting/environment/environment_image.hpp"
 #include "lighting/environment/prefilter.hpp"
+#include "tools/measure/irradiance_error.hpp"
+#include "tools/measure/prefilter_levels.hpp"
 
 using namespace kreda;
 using namespace kreda::tests;
@@ -49,10 +49,10 @@ namespace {
 /// A sky and its exact blur at alpha 1/8, 1/4, 1/2, 1, as the example takes them.
 struct Blurs {
     explicit Blurs(lighting::Sky sky) : radiance(lighting::cube_from_sky(sky, 64)) {
-        for (const float alpha : kAlphas) exact.push_back(examples::exact_level(radiance, alpha, 8));
+        for (const float alpha : kAlphas) exact.push_back(tools::exact_level(radiance, alpha, 8));
     }
     double percent(const lighting::CubeMap& from, std::size_t i, int samples) const {
-        return 100.0 * examples::map_error(examples::sampled_level(from, kAlphas[i], samples, 8), exact[i]).mean;
+        return 100.0 * tools::map_error(tools::sampled_level(from, kAlphas[i], samples, 8), exact[i]).mean;
     }
     static constexpr float kAlphas[] = {0.125f, 0.25f, 0.5f, 1.0f};
     lighting::CubeMap radiance;
@@ -71,7 +71,7 @@ TEST_CASE("94_environment_samples: the page's counts are the least powers of two
         const Blurs blurs(sky);
         const std::vector<QuotedNumber> quoted = documented_row("94_environment_samples", "samples for 1 %", row);
         REQUIRE(quoted.size() == 8);  // from mips and (plain), four times
-        const lighting::CubeMap plain = examples::without_mips(blurs.radiance);
+        const lighting::CubeMap plain = tools::without_mips(blurs.radiance);
         for (std::size_t i = 0; i < quoted.size(); ++i) {
             const lighting::CubeMap& from = i % 2 == 0 ? blurs.radiance : plain;
             const int samples = static_cast<int>(quoted[i].value);

@@ -8,7 +8,7 @@
 #include "raster/image.hpp"
 #include "scene/render/render.hpp"
 
-namespace kreda::examples {
+namespace kreda::tools {
 
 /// What a sample reflects of the environment as a mirror does, blurred by its roughness.
 struct SpecularSample {
@@ -39,4 +39,4 @@ struct SpecularPicture {
 [[nodiscard]] double error_percent(const SpecularPicture& split, const SpecularPicture& exact, float roughness,
                                    float from, float to);
 
-}  // namespace kreda::examples
+}  // namespace kreda::tools

@@ -1,8 +1,8 @@
-#include "examples/prefilter_levels.hpp"
+#include "tools/measure/prefilter_levels.hpp"
 
 #include <glm/geometric.hpp>
 
-namespace kreda::examples {
+namespace kreda::tools {
 
 namespace {
 
@@ -73,4 +73,4 @@ lighting::CubeMap without_mips(lighting::CubeMap radiance) {
     return radiance;
 }
 
-}  // namespace kreda::examples
+}  // namespace kreda::tools

@@ -1,4 +1,4 @@
-#include "examples/irradiance_error.hpp"
+#include "tools/measure/irradiance_error.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -7,7 +7,7 @@
 
 #include "raster/platform.hpp"
 
-namespace kreda::examples {
+namespace kreda::tools {
 
 namespace {
 
@@ -79,4 +79,4 @@ IrradianceWay nine_coefficients(int size) {
     return {"SH9", 0, [=](const lighting::CubeMap& radiance) { return map_of_sh9(project_to_sh9(radiance), size); }};
 }
 
-}  // namespace kreda::examples
+}  // namespace kreda::tools

@@ -3,7 +3,7 @@
 
 #include "lighting/environment/prefilter.hpp"
 
-namespace kreda::examples {
+namespace kreda::tools {
 
 /// prefiltered_radiance() for every texel of a level of size x size texels a face.
 [[nodiscard]] lighting::CubeMap sampled_level(const lighting::CubeMap& radiance, float alpha, int samples, int size);
@@ -14,4 +14,4 @@ namespace kreda::examples {
 /// The environment without its mip levels: what reads it finds single texels.
 [[nodiscard]] lighting::CubeMap without_mips(lighting::CubeMap radiance);
 
-}  // namespace kreda::examples
+}  // namespace kreda::tools

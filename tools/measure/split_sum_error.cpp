@@ -1,13 +1,14 @@
-#include "examples/split_sum_error.hpp"
+#include "tools/measure/split_sum_error.hpp"
 
 #include <algorithm>
+#include <memory>
 
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
 
-#include "examples/lit_scene.hpp"
+#include "raster/shapes.hpp"
 
-namespace kreda::examples {
+namespace kreda::tools {
 
 SpecularPicture draw_specular(const scene::Scene& scene, scene::RenderBuffers& buffers) {
     std::vector<const scene::View*> views;
@@ -15,7 +16,7 @@ SpecularPicture draw_specular(const scene::Scene& scene, scene::RenderBuffers& b
         views.push_back(scene::find_view(name));
     }
     render(scene, make_plan(scene, views), buffers);
-    const std::vector<Image>& v = buffers.views;
+    const std::vector<raster::Image>& v = buffers.views;
     SpecularPicture picture{buffers.film, {}};
     for (int y = 0; y < picture.film.height; ++y) {
         for (int x = 0; x < picture.film.width; ++x) {
@@ -29,15 +30,25 @@ SpecularPicture draw_specular(const scene::Scene& scene, scene::RenderBuffers& b
 }
 
 scene::Scene metal_ball(const scene::EnvironmentSettings& environment, float roughness, int side) {
-    scene::Scene scene = empty_scene({side, side});
-    scene.image.samples = 1;
+    scene::Scene scene;
+    scene.image.width = scene.image.height = side;
     scene.ambient = glm::vec3(0.0f);
     scene.camera.position = {0.0f, 0.0f, 40.0f};
     scene.camera.projection = raster::Projection::orthographic;
     scene.camera.height = 2.0f;
     scene.environment = environment;
     scene.environment.on = true;
-    add_shape(scene, "sphere", 64, glm::vec3(0.0f), microfacet(glm::vec3(0.9f), 1.0f, roughness));
+    lighting::Material metal;
+    metal.model = lighting::ReflectionModel::cook_torrance;
+    metal.cook_torrance.albedo = glm::vec3(0.9f);
+    metal.cook_torrance.metallic = 1.0f;
+    metal.cook_torrance.roughness = roughness;
+    metal.cook_torrance.geometry = lighting::Geometry::smith_correlated;
+    scene.materials = {metal};
+    scene::Object ball;
+    ball.mesh = std::make_shared<raster::Mesh>(raster::make_shape("sphere", 64).value());
+    ball.part_material = {0};
+    scene.objects = {ball};
     return scene;
 }
 
@@ -61,4 +72,4 @@ double error_percent(const SpecularPicture& split, const SpecularPicture& exact,
     return sum > 0.0 ? 100.0 * error / sum : 0.0;
 }
 
-}  // namespace kreda::examples
+}  // namespace kreda::tools

@@ -7,7 +7,7 @@
 
 #include "lighting/environment/irradiance.hpp"
 
-namespace kreda::examples {
+namespace kreda::tools {
 
 /// The mean of level 0 over all directions and colours. Of E it is a quarter of all the light that comes from
 /// everywhere.
@@ -39,4 +39,4 @@ struct IrradianceWay {
 [[nodiscard]] IrradianceWay every_texel(int size);
 [[nodiscard]] IrradianceWay nine_coefficients(int size);
 
-}  // namespace kreda::examples
+}  // namespace kreda::tools

@@ -1,10 +1,10 @@
-#include "examples/fresnel_methods.hpp"
+#include "tools/measure/fresnel_methods.hpp"
 
 #include <cmath>
 #include <complex>
 #include <numbers>
 
-namespace kreda::examples {
+namespace kreda::tools {
 
 namespace {
 
@@ -74,4 +74,4 @@ std::vector<float> cosines_of_even_angles(int count) {
     return cosines;
 }
 
-}  // namespace kreda::examples
+}  // namespace kreda::tools

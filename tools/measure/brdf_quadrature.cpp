@@ -1,4 +1,4 @@
-#include "examples/brdf_quadrature.hpp"
+#include "tools/measure/brdf_quadrature.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -6,7 +6,7 @@
 
 #include <glm/geometric.hpp>
 
-namespace kreda::examples {
+namespace kreda::tools {
 
 namespace {
 
@@ -42,4 +42,4 @@ lighting::BrdfTerms brdf_by_quadrature(double n_dot_v, double roughness, int ste
     return {static_cast<float>(A / count), static_cast<float>(B / count), 0.0f};
 }
 
-}  // namespace kreda::examples
+}  // namespace kreda::tools

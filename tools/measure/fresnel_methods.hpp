@@ -8,7 +8,7 @@
 
 #include "lighting/spectrum.hpp"
 
-namespace kreda::examples {
+namespace kreda::tools {
 
 /// One method for one material of three indices.
 struct FresnelCurve {
@@ -31,4 +31,4 @@ struct FresnelCurve {
 /// Cosines of angles spread evenly over (0, 90) degrees.
 [[nodiscard]] std::vector<float> cosines_of_even_angles(int count);
 
-}  // namespace kreda::examples
+}  // namespace kreda::tools

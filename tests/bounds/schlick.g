@@ -1,0 +1,11 @@
+# fresnel_schlick (lighting/fresnel.hpp): F = f0 + (1 - f0) (1 - c)^5 in float, c and f0 in [0, 1].
+@rnd = float<ieee_32, ne>;
+c = rnd(c_);
+f0 = rnd(f0_);
+x rnd= 1 - c;
+x2 rnd= x * x;
+w rnd= x2 * x2 * x;
+F rnd= f0 + (1 - f0) * w;
+X = 1 - c;
+E = f0 + (1 - f0) * (X * X * (X * X) * X);
+{ c in [0, 1] /\ f0 in [0, 1] -> |F - E| <= 3.8744e-7 }
