@@ -2,8 +2,10 @@
 #pragma once
 
 #include <string>
+#include <vector>
 
 #include "scene/files/read_scene.hpp"
+#include "scene/plan/plan.hpp"
 
 namespace CLI {
 class App;
@@ -17,9 +19,12 @@ struct SceneOptions {
     std::string size;         ///< "640x360"; empty: what the scene says
     int samples = 0;          ///< 0: what the scene says
     int light = -1;           ///< draw with this light alone; -1: with all that are on
+    bool quiet = false;       ///< warnings are not printed
+    bool strict = false;      ///< a warning is an error
 };
 
-/// SCENE, --set, --allow-outside, --size, --samples, --light: the commands that take them look at the same picture.
+/// SCENE, --set, --allow-outside, --size, --samples, --light, --quiet, --strict: the commands that take them look at
+/// the same picture.
 void add_scene_options(CLI::App& command, SceneOptions& options);
 
 /// --threads N, 0 where it is not given.
@@ -30,5 +35,12 @@ void add_threads_option(CLI::App& command, int& threads);
 
 /// One line on stderr.
 void warn(const std::string& message);
+
+/// Warnings about a scene: a line each on stderr. With --quiet none is printed; with --strict they are an error: throws
+/// UserError after the last.
+void warn_of_scene(const std::vector<std::string>& warnings, const SceneOptions& options);
+
+/// What the scene says and its plan does not need (scene/plan/plan_warnings.hpp), in the same way.
+void warn_of_plan(const scene::Scene& scene, const scene::RenderPlan& plan, const SceneOptions& options);
 
 }  // namespace kreda::tools

@@ -211,7 +211,7 @@ void start_background(const PassWork& work) {
     const Frame& frame = work.frame;
     TileScratch& scratch = work.scratch;
     const int covered = samples_of(scratch.runs, scratch.run_count);
-    if (covered < work.area.width * work.area.height) start_color(frame, work.area, scratch);
+    if (frame.plan.film && covered < work.area.width * work.area.height) start_color(frame, work.area, scratch);
     scratch.color_is_background = covered == 0 && !frame.scene.image.environment_background;
     for (std::size_t v = 0; v < frame.plan.views.size(); ++v) {
         fill_background(glm::vec3(frame.plan.views[v]->background), scratch.views[v]);
@@ -237,7 +237,7 @@ void paint_flat(const PassWork& work) {
 void write_film(const PassWork& work) {
     RenderBuffers& buffers = work.frame.buffers;
     const TileScratch& scratch = work.scratch;
-    write_picture(work.area, work.frame.plan.samples, scratch.color, buffers.film);
+    if (work.frame.plan.film) write_picture(work.area, work.frame.plan.samples, scratch.color, buffers.film);
     for (std::size_t v = 0; v < buffers.views.size(); ++v) {
         write_picture(work.area, work.frame.plan.samples, scratch.views[v], buffers.views[v]);
     }

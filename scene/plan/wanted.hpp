@@ -1,0 +1,35 @@
+// How far the pipeline must go for what is asked of it: the film, or a view of a quantity on the way.
+#pragma once
+
+#include <vector>
+
+#include "scene/plan/views.hpp"
+
+namespace kreda::scene {
+
+/// What somebody looks at in the end.
+struct PlanRequest {
+    std::vector<const View*> views = {};
+    bool film = true;   ///< the picture itself, too
+    bool prune = true;  ///< leave out what changes no bit of it; false: everything that the scene names, to look at
+};
+
+/// What must be computed for it.
+struct Wanted {
+    bool radiance = false;     ///< all of the light: what follows, and fog
+    bool maps = false;         ///< the material at every point: constants and maps
+    bool surface = false;      ///< n and v
+    bool position = false;     ///< of a lit point: everything but n alone needs it
+    bool environment = false;  ///< what it adds
+    bool lamps = false;        ///< what all of them add
+    bool last_lamp = false;    ///< quantities of the last light that is on
+    bool last_shadow = false;  ///< quantities of the last light that casts a shadow
+    bool fog = false;
+
+    [[nodiscard]] bool any_light() const {
+        return radiance || maps || surface || environment || lamps || last_lamp || last_shadow;
+    }
+};
+[[nodiscard]] Wanted wanted_of(const PlanRequest& request);
+
+}  // namespace kreda::scene
