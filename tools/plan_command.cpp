@@ -37,9 +37,7 @@ void add_plan_command(CLI::App& app) {
         "counts as\n"
         "covered. Buffers of a tile or batch exist once a thread. kreda render --time measures.");
     command->callback([options] {
-        const scene::Scene scene = load_scene(options->scene);
-        const scene::RenderPlan plan = make_plan(scene);
-        warn_of_plan(scene, plan, options->scene);
+        const auto [scene, plan] = load_and_plan(options->scene, {});
         if (options->json) {
             std::cout << plan_json(plan);
             return;

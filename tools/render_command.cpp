@@ -167,12 +167,6 @@ void write_slide(const std::string& path, const RenderOptions& options, const sc
     std::cerr << "wrote " << path << " (a slide of " << kSlideWidth << " x " << kSlideHeight << ")\n";
 }
 
-scene::Scene load(const RenderOptions& options) {
-    scene::Scene scene = load_scene(options.scene);
-    if (!options.slides.empty()) fit_to_slide(scene.image);
-    return scene;
-}
-
 bool is_black(const raster::Image& film) {
     return std::all_of(film.values.begin(), film.values.end(), [](float value) { return value == 0.0f; });
 }
@@ -208,10 +202,10 @@ void render_command(const RenderOptions& options) {
     check_output(path);
     check_slides(options, path);
     const scene::View* view = chosen_view(options.view);
-    scene::Scene scene = load(options);
+    auto [scene, plan] = load_and_plan(options.scene, request_for(view), [&](scene::Scene& loaded) {
+        if (!options.slides.empty()) fit_to_slide(loaded.image);
+    });
     if (view) check_view(make_plan_for(scene, scene::PlanRequest{.prune = false}), scene, *view);
-    const scene::RenderPlan plan = make_plan_for(scene, request_for(view));
-    warn_of_plan(scene, plan, options.scene);
     bake_scene(scene, plan.environment, options.cache);
     scene::RenderBuffers buffers;
     TimeReport report;

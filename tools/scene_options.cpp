@@ -7,6 +7,7 @@
 #include <CLI/CLI.hpp>
 
 #include "scene/error.hpp"
+#include "scene/files/load_maps.hpp"
 #include "scene/files/mesh_file.hpp"
 #include "scene/plan/plan_warnings.hpp"
 #include "tools/mesh_scene.hpp"
@@ -103,11 +104,24 @@ void warn_of_scene(const std::vector<std::string>& warnings, const SceneOptions&
                            (options.quiet ? ": " + warnings.front() : ""));
 }
 
-void warn_of_plan(const scene::Scene& scene, const scene::RenderPlan& plan, const SceneOptions& options) {
-    std::vector<std::string> warnings;
-    const std::string file = scene.file.empty() ? "" : scene.file + ": ";
-    for (const std::string& warning : plan_warnings(scene, plan)) warnings.push_back(file + warning);
-    warn_of_scene(warnings, options);
+PlannedScene load_and_plan(const SceneOptions& given, const scene::PlanRequest& request,
+                           const std::function<void(scene::Scene&)>& adapt) {
+    SceneOptions options = given;
+    options.read.maps_later = request.views.empty() || !wanted_of(request).maps;
+    PlannedScene loaded{load_scene(options), {}};
+    loaded.scene.warnings.clear();  // they are printed
+    adapt(loaded.scene);
+    const scene::LoadingPlan loading = plan_loading(loaded.scene, request);
+    load_maps(loaded.scene, loading.maps);
+    scene::PlanRequest with_seen = request;
+    with_seen.seen = &loading.seen;
+    loaded.plan = make_plan_for(loaded.scene, with_seen);
+    const std::string file = loaded.scene.file.empty() ? "" : loaded.scene.file + ": ";
+    for (const std::string& warning : plan_warnings(loaded.scene, loaded.plan)) {
+        loaded.scene.warnings.push_back(file + warning);
+    }
+    warn_of_scene(loaded.scene.warnings, options);
+    return loaded;
 }
 
 void warn(const std::string& message) {

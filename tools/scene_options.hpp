@@ -1,6 +1,7 @@
 // What every command that reads a scene takes from the command line.
 #pragma once
 
+#include <functional>
 #include <string>
 #include <vector>
 
@@ -33,14 +34,23 @@ void add_threads_option(CLI::App& command, int& threads);
 /// Read the scene, or the built-in one; its warnings go to stderr. Throws UserError.
 [[nodiscard]] scene::Scene load_scene(const SceneOptions& options);
 
+/// A scene, and the plan of what is asked for.
+struct PlannedScene {
+    scene::Scene scene;
+    scene::RenderPlan plan;
+};
+
+/// Read a scene, change it by `adapt`, and plan it in two steps: its maps are loaded once it is known which of them are
+/// read; all of them where a view looks at one. Warnings about any of this go to stderr. Throws UserError.
+[[nodiscard]] PlannedScene load_and_plan(
+    const SceneOptions& options, const scene::PlanRequest& request,
+    const std::function<void(scene::Scene&)>& adapt = [](scene::Scene&) {});
+
 /// One line on stderr.
 void warn(const std::string& message);
 
 /// Warnings about a scene: a line each on stderr. With --quiet none is printed; with --strict they are an error: throws
 /// UserError after the last.
 void warn_of_scene(const std::vector<std::string>& warnings, const SceneOptions& options);
-
-/// What the scene says and its plan does not need (scene/plan/plan_warnings.hpp), in the same way.
-void warn_of_plan(const scene::Scene& scene, const scene::RenderPlan& plan, const SceneOptions& options);
 
 }  // namespace kreda::tools

@@ -18,6 +18,7 @@
 #include "scene/files/read_objects.hpp"
 #include "scene/files/toml_check.hpp"
 #include "scene/files/unread_keys.hpp"
+#include "scene/map_meshes.hpp"
 #include "scene/shadow_warnings.hpp"
 #include "scene/view_warnings.hpp"
 
@@ -235,7 +236,8 @@ Scene build_scene(const Value& root, const std::string& name, const std::string&
     read_objects(root, folder, options, placements, scene);
     warn_of_unworn(root, scene);
     place_scene(placements, scene);
-    load_maps(scene);
+    drop_maps_without_uv(scene);
+    if (!options.maps_later) load_maps(scene, visible_materials(scene));
     for (const std::string& warning : byte_colors(root)) scene.warnings.push_back(warning);
     for (const std::string& warning : shadow_warnings(scene)) scene.warnings.push_back(name + ": " + warning);
     for (const std::string& warning : view_warnings(scene)) scene.warnings.push_back(name + ": " + warning);

@@ -15,6 +15,7 @@ struct LoadedMesh;
 struct ReadOptions {
     bool allow_outside = false;                   ///< OBJ and MTL files may name files outside their own folder
     std::vector<std::string> overrides;           ///< "--set": "camera.position=[0,1,4]", "material.gold.shininess=9"
+    bool maps_later = false;                      ///< load_maps() follows, once it is known which maps are read
     std::shared_ptr<LoadedMesh> ready = nullptr;  ///< read already, with normals = "file"; an object takes it over
     std::string ready_path = {};                  ///< its file, absolute
 };

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "lighting/batch/maps.hpp"
 #include "scene/map_meshes.hpp"
 
 namespace kreda::scene {
@@ -26,7 +27,7 @@ bool is_microfacet(const Material& material) {
 }
 
 bool is_diffuse(const Material& material) {
-    return material.phong.diffuse != kBlack || material.maps.diffuse.texture != nullptr;
+    return material.phong.diffuse != kBlack || is_given(material.maps.diffuse);
 }
 
 /// Can a lamp change what such a surface shows?
@@ -38,7 +39,7 @@ bool reflects_lamps(const Material& material) {
 
 /// Can the environment?
 bool reflects_environment(const Material& material) {
-    if (is_microfacet(material)) return material.cook_torrance.ao != 0.0f || material.maps.ao.texture != nullptr;
+    if (is_microfacet(material)) return material.cook_torrance.ao != 0.0f || is_given(material.maps.ao);
     return is_lit(material) && is_diffuse(material);
 }
 
@@ -107,8 +108,7 @@ bool is_lit(const Material& material) {
     return material.model != ReflectionModel::unlit;
 }
 
-LightingChoices choose_lighting(const Scene& scene, const Seen* seen, const Wanted& wanted,
-                                const std::vector<bool>& has_maps) {
+LightingChoices choose_lighting(const Scene& scene, const Seen* seen, const Wanted& wanted) {
     LightingChoices chosen;
     chosen.seen = seen_materials(scene, seen);
     chosen.any = wanted.any_light() && any_of(chosen.seen);
@@ -125,7 +125,7 @@ LightingChoices choose_lighting(const Scene& scene, const Seen* seen, const Want
     chosen.surface =
         mask_of(scene, [&](std::size_t m) { return lit[m] && wanted.surface && (looked_at || is_reached(m)); });
     chosen.maps = mask_of(scene, [&](std::size_t m) {
-        const bool read = chosen.any && wanted.maps && chosen.seen[m] && has_maps[m];
+        const bool read = chosen.any && wanted.maps && chosen.seen[m] && reads_maps(scene.materials[m]);
         return read && (looked_at || !is_lit(scene.materials[m]) || is_reached(m));
     });
     return chosen;

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "lighting/batch/maps.hpp"
 #include "scene/plan/pass_functions.hpp"
 
 namespace kreda::scene {
@@ -15,7 +16,7 @@ bool is_microfacet(const lighting::Material& material) {
 /// Metals reflect nothing diffusely, but for what bounces between their facets.
 bool reflects_diffusely(const lighting::Material& material) {
     const lighting::CookTorranceMaterial& m = material.cook_torrance;
-    return !is_microfacet(material) || m.metallic != 1.0f || material.maps.metallic.texture != nullptr ||
+    return !is_microfacet(material) || m.metallic != 1.0f || is_given(material.maps.metallic) ||
            m.energy_compensation == lighting::EnergyCompensation::kulla_conty;
 }
 
@@ -24,7 +25,7 @@ struct Levels {
     int first = 0, last = lighting::kPrefilterLevels - 1;
 };
 Levels levels_read(const lighting::Material& material) {
-    if (material.maps.roughness.texture) return {};
+    if (is_given(material.maps.roughness)) return {};
     const float alpha = lighting::alpha_from_roughness(material.cook_torrance.roughness);
     const int level = static_cast<int>(lighting::level_of_alpha(alpha));
     return {level, std::min(level + 1, lighting::kPrefilterLevels - 1)};
@@ -69,7 +70,7 @@ lighting::EnvironmentNeeds environment_needs(const Scene& scene, const MaterialM
 }
 
 lighting::EnvironmentNeeds environment_needs(const Scene& scene) {
-    const LightingChoices all = choose_lighting(scene, nullptr, wanted_of({}), MaterialMask(scene.materials.size()));
+    const LightingChoices all = choose_lighting(scene, nullptr, wanted_of({}));
     return environment_needs(scene, all.environment, scene.environment.on && scene.image.environment_background, true);
 }
 

@@ -266,8 +266,8 @@ void list_views(Listing& list, bool depth) {
 
 void list_background(Listing& list) {
     list.add(PassScope::tile, start_background, "background",
-             list.scene.image.environment_background ? "image.background = \"environment\": where nothing is drawn"
-                                                     : "image.background: one colour where nothing is drawn",
+             list.plan.environment_background ? "image.background = \"environment\": where nothing is drawn"
+                                              : "image.background: one colour where nothing is drawn",
              copy_cost(list.counts));
 }
 

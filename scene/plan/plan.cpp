@@ -71,9 +71,7 @@ void start_materials(const Scene& scene, RenderPlan& plan) {
 }
 
 void choose_materials(const Scene& scene, RenderPlan& plan) {
-    std::vector<bool> has_maps;
-    for (const lighting::MaterialSetup& setup : plan.materials) has_maps.push_back(setup.map_needs.uv);
-    plan.lighting = choose_lighting(scene, plan.seen ? &*plan.seen : nullptr, plan.wanted, has_maps);
+    plan.lighting = choose_lighting(scene, plan.seen ? &*plan.seen : nullptr, plan.wanted);
     plan.draws_objects = plan.seen ? plan.seen->covered > 0 : !scene.objects.empty();
     for (std::size_t m = 0; m < plan.materials.size(); ++m) {
         if (plan.lighting.seen[m] && plan.lighting.any) plan.materials[m] = prepare(scene.materials[m]);
@@ -123,9 +121,11 @@ void choose_background(RenderPlan& plan) {
 }
 
 void choose_environment(const Scene& scene, RenderPlan& plan) {
+    plan.background = scene.image.environment_background ? glm::vec3(0.0f) : scene.image.background;
     if (!scene.environment.on) return;
     const bool background = scene.image.environment_background && plan.film && plan.shows_background &&
                             (!plan.seen || scene.environment.intensity != 0.0f);
+    plan.environment_background = background;
     const bool looked_at = !plan.seen || !plan.wanted.radiance;
     plan.environment = environment_needs(scene, plan.lighting.environment, background, looked_at);
     plan.lit_by_environment = plan.lighting.lit_by_environment();
@@ -133,10 +133,18 @@ void choose_environment(const Scene& scene, RenderPlan& plan) {
 
 }  // namespace
 
+LoadingPlan plan_loading(const Scene& scene, const PlanRequest& request) {
+    RenderPlan plan = start_plan(scene, request);
+    start_materials(scene, plan);
+    LoadingPlan loading{look_at(scene, plan), {}};
+    loading.maps = choose_lighting(scene, &loading.seen, plan.wanted).maps;
+    return loading;
+}
+
 RenderPlan make_plan_for(const Scene& scene, const PlanRequest& request) {
     RenderPlan plan = start_plan(scene, request);
     start_materials(scene, plan);
-    if (request.prune) plan.seen = look_at(scene, plan);
+    if (request.prune) plan.seen = request.seen ? *request.seen : look_at(scene, plan);
     choose_materials(scene, plan);
     choose_fog(scene, plan);
     const std::vector<std::string> no_shadows = choose_shadows(scene, plan);

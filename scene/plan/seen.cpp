@@ -120,7 +120,7 @@ LitTriangle lit_triangle(const Placed& placed, const RenderPlan& plan, const ras
                                  (mirrored ? -1.0f : 1.0f);
         lit.normal = {across, across, across};
     }
-    lit.any_normal = plan.two_sided || plan.materials[triangle.material].map_needs.tangent;
+    lit.any_normal = plan.two_sided || reads_normal_map(plan.materials[triangle.material].material);
     return lit;
 }
 

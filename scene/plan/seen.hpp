@@ -29,7 +29,7 @@ struct Seen {
 };
 
 /// Find the visible triangles exactly as the renderer will: with the plan's sample grid and culling. Asks of the plan
-/// also where light is computed and which materials have normal maps.
+/// also where light is computed.
 [[nodiscard]] Seen look_at(const Scene& scene, const RenderPlan& plan);
 
 }  // namespace kreda::scene

@@ -7,10 +7,13 @@
 
 namespace kreda::scene {
 
+struct Seen;
+
 /// What somebody looks at in the end.
 struct PlanRequest {
     std::vector<const View*> views = {};
-    bool film = true;   ///< the picture itself, too
+    bool film = true;            ///< the picture itself, too
+    const Seen* seen = nullptr;  ///< what plan_loading() saw; nullptr: it is found anew
     bool prune = true;  ///< leave out what changes no bit of it; false: everything that the scene names, to look at
 };
 

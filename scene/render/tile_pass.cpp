@@ -56,8 +56,8 @@ void fill_background(const glm::vec3& background, TileColor& color) {
 
 /// What is seen where nothing is drawn.
 void start_color(const Frame& frame, const TileArea& area, TileScratch& scratch) {
-    if (!frame.scene.image.environment_background) {
-        if (!scratch.color_is_background) fill_background(frame.scene.image.background, scratch.color);
+    if (!frame.plan.environment_background) {
+        if (!scratch.color_is_background) fill_background(frame.plan.background, scratch.color);
         return;
     }
     const ViewRays rays = view_rays(frame.scene.camera, frame.plan.viewport);
@@ -212,7 +212,7 @@ void start_background(const PassWork& work) {
     TileScratch& scratch = work.scratch;
     const int covered = samples_of(scratch.runs, scratch.run_count);
     if (frame.plan.film && covered < work.area.width * work.area.height) start_color(frame, work.area, scratch);
-    scratch.color_is_background = covered == 0 && !frame.scene.image.environment_background;
+    scratch.color_is_background = covered == 0 && !frame.plan.environment_background;
     for (std::size_t v = 0; v < frame.plan.views.size(); ++v) {
         fill_background(glm::vec3(frame.plan.views[v]->background), scratch.views[v]);
     }

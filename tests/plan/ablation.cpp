@@ -51,26 +51,30 @@ bool same_bits(const std::vector<float>& a, const std::vector<float>& b) {
     return a.size() == b.size() && std::memcmp(a.data(), b.data(), a.size() * sizeof(float)) == 0;
 }
 
-}  // namespace
-
-std::vector<float> draw(const Scene& scene, const RenderPlan& plan) {
+/// All values that the frame leaves: the film's and the views'. What was baked stays in the scene where it is kept.
+std::vector<float> draw(const Scene& scene, const RenderPlan& plan, Scene* keep = nullptr) {
     scene::RenderBuffers buffers;
     fill(scene, plan, buffers);
     render(scene, plan, buffers, 1);
+    if (keep) keep->environment.prepared = buffers.environment;
     std::vector<float> values;
     if (plan.film) values = buffers.film.values;
     for (const raster::Image& view : buffers.views) values.insert(values.end(), view.values.begin(), view.values.end());
     return values;
 }
 
+}  // namespace
+
 void ablate(const Scene& scene, const scene::PlanRequest& request, const std::string& name, AblationReport& report) {
     const RenderPlan plan = make_plan_for(scene, request);
-    const std::vector<float> picture = draw(scene, plan);
+    Scene baked = scene;
+    const std::vector<float> picture = draw(scene, plan, &baked);
     for (std::size_t p = 0; p < plan.passes.size(); ++p) {
         RenderPlan without = plan;
         without.passes.erase(without.passes.begin() + static_cast<std::ptrdiff_t>(p));
         ++report.passes;
-        if (!same_bits(draw(scene, without), picture)) continue;
+        const bool bakes = plan.passes[p].scope == scene::PassScope::once;
+        if (!same_bits(draw(bakes ? scene : baked, without), picture)) continue;
         if (plan.passes[p].bound.empty())
             report.useless.push_back(name + ": " + plan.passes[p].name);
         else

@@ -22,7 +22,4 @@ struct AblationReport {
 void ablate(const scene::Scene& scene, const scene::PlanRequest& request, const std::string& name,
             AblationReport& report);
 
-/// All values that the frame leaves: the film's and the views', as bits.
-[[nodiscard]] std::vector<float> draw(const scene::Scene& scene, const scene::RenderPlan& plan);
-
 }  // namespace kreda::tests
