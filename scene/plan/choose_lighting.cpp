@@ -43,6 +43,17 @@ bool reflects_environment(const Material& material) {
     return is_lit(material) && is_diffuse(material);
 }
 
+/// Does the model read a map that is given, and that matters for what is asked?
+bool reads_wanted_map(const Material& material, const Wanted& wanted) {
+    if (wanted.map_names.empty()) return reads_maps(material);
+    const auto matters = [&](const lighting::MapUse& use) {
+        const std::vector<std::string_view>& names = wanted.map_names;
+        return std::find(names.begin(), names.end(), use.name) != names.end() && is_given(material.maps.*use.map) &&
+               reads_map(material.model, use);
+    };
+    return std::ranges::any_of(lighting::map_uses(), matters);
+}
+
 bool is_black(const lighting::Light& light) {
     return light.color * light.intensity == kBlack;
 }
@@ -81,7 +92,7 @@ MaterialMask choose_environment(const Scene& scene, const Seen* seen, const Want
     const bool on = scene.environment.on && wanted.environment;
     if (!on || (seen && scene.environment.intensity == 0.0f)) return MaterialMask(scene.materials.size(), false);
     // A view of what the environment sends looks at it even where nothing of it is reflected.
-    const bool all = !seen || !wanted.radiance;
+    const bool all = !seen || !wanted.effects;
     return mask_of(scene, [&](std::size_t m) { return lit[m] && (all || reflects_environment(scene.materials[m])); });
 }
 
@@ -121,11 +132,11 @@ LightingChoices choose_lighting(const Scene& scene, const Seen* seen, const Want
         return chosen.environment[m] || std::any_of(chosen.lamps.begin(), chosen.lamps.end(), shines);
     };
     // The sum needs n and v, and the maps of what is lit, only where light arrives; views look at them anyway.
-    const bool looked_at = !seen || !wanted.radiance;
+    const bool looked_at = !seen || !wanted.effects;
     chosen.surface =
         mask_of(scene, [&](std::size_t m) { return lit[m] && wanted.surface && (looked_at || is_reached(m)); });
     chosen.maps = mask_of(scene, [&](std::size_t m) {
-        const bool read = chosen.any && wanted.maps && chosen.seen[m] && reads_maps(scene.materials[m]);
+        const bool read = chosen.any && wanted.maps && chosen.seen[m] && reads_wanted_map(scene.materials[m], wanted);
         return read && (looked_at || !is_lit(scene.materials[m]) || is_reached(m));
     });
     return chosen;

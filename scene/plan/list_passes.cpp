@@ -116,6 +116,7 @@ void list_maps(Listing& list) {
         pass.index = static_cast<int>(m);
         pass.materials.assign(list.plan.materials.size(), false);
         pass.materials[m] = true;
+        if (list.plan.seen && is_lit(list.scene.materials[m])) pass.bound = "as for the lights that ask for it";
     }
 }
 
@@ -151,9 +152,11 @@ void list_lighting(Listing& list) {
     const LightingChoices& chosen = list.plan.lighting;
     list_maps(list);
     if (any_of(chosen.surface)) {
-        list.add(PassScope::points, find_surface, "surface", std::string("n and v ") + where_lit(list.plan.frequency),
-                 surface_cost(list.plan, list.counts))
-            .materials = chosen.surface;
+        PlannedPass& pass =
+            list.add(PassScope::points, find_surface, "surface",
+                     std::string("n and v ") + where_lit(list.plan.frequency), surface_cost(list.plan, list.counts));
+        pass.materials = chosen.surface;
+        if (list.plan.seen && !list.plan.lit_by_environment) pass.bound = "as for the lights that ask for it";
     }
     if (list.plan.lit_by_environment) {
         list.add(PassScope::points, add_environment, "environment", environment_reason(list.scene, list.plan),

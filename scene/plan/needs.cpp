@@ -10,14 +10,20 @@ bool has_shadow_maps(const RenderPlan& plan) {
     return !plan.shadows.empty() && plan.shadows[0].map.settings.method == shadows::ShadowMethod::map;
 }
 
+bool is_lit_by_lamps(const RenderPlan& plan, std::size_t m) {
+    return std::any_of(plan.lighting.lamps.begin(), plan.lighting.lamps.end(),
+                       [&](const MaterialMask& lamp) { return lamp[m]; });
+}
+
 /// What light at one sample reads: the position for v and for lamps, the normal for n, and what maps are read by.
 raster::FragmentNeeds lit_sample_needs(const RenderPlan& plan, std::size_t m) {
     const bool surface = plan.lighting.surface[m] || !plan.seen, maps = plan.lighting.maps[m];
+    const bool lamps = is_lit_by_lamps(plan, m);
     const lighting::MapNeeds& read = plan.materials[m].map_needs;
     raster::FragmentNeeds needs;
-    needs.position = surface && plan.wanted.position;
-    needs.normal = surface;
-    needs.face_normal = surface && has_shadow_maps(plan);
+    needs.position = (surface || lamps) && plan.wanted.position;
+    needs.face_normal = (surface || lamps) && has_shadow_maps(plan);
+    needs.normal = surface || needs.face_normal;  // it says which side of the face is outside
     needs.uv = maps && read.uv;
     needs.uv_steps = maps && read.uv_steps;
     needs.tangent = maps && surface && read.tangent;

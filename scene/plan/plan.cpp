@@ -87,7 +87,7 @@ bool fog_is_clear(const Scene& scene, const Seen& seen) {
 
 void choose_fog(const Scene& scene, RenderPlan& plan) {
     const bool foggy = scene.fog.mode != lighting::FogMode::none && plan.draws_objects && plan.wanted.fog;
-    const bool looked_at = !plan.seen || !plan.wanted.radiance;
+    const bool looked_at = !plan.seen || !plan.wanted.effects;
     if (!foggy || (!looked_at && fog_is_clear(scene, *plan.seen))) return;
     plan.fog_at_vertices = scene.fog.frequency == lighting::FogFrequency::vertex;
     plan.fog_at_pixels = scene.fog.frequency == lighting::FogFrequency::pixel;
@@ -96,7 +96,7 @@ void choose_fog(const Scene& scene, RenderPlan& plan) {
 /// Shadows of the lights that are added to something. Returns why other lights have none.
 std::vector<std::string> choose_shadows(const Scene& scene, RenderPlan& plan) {
     std::vector<bool> shines;
-    for (const MaterialMask& lamp : plan.lighting.lamps) shines.push_back(any_of(lamp));
+    for (const MaterialMask& lamp : plan.lighting.lamps) shines.push_back(plan.wanted.shadows && any_of(lamp));
     ShadowPlan shadow_plan = plan_shadows(scene, plan.frequency == ShadingFrequency::phong, shines);
     plan.shadows = std::move(shadow_plan.shadows);
     plan.shadows_by_frame = !plan.shadows.empty() && is_frame_by_frame(scene.shadow.method);
@@ -115,7 +115,11 @@ bool is_written_everywhere(const RenderPlan& plan, const View& view) {
 void choose_background(RenderPlan& plan) {
     const std::uint64_t samples =
         static_cast<std::uint64_t>(plan.viewport.width) * static_cast<std::uint64_t>(plan.viewport.height);
-    const bool gaps = !plan.seen || plan.seen->covered < samples;
+    const auto has_background = [](const View* view) {
+        return view->value != nullptr;
+    };  // the depth buffer is all there
+    const bool asked = plan.film || std::any_of(plan.views.begin(), plan.views.end(), has_background);
+    const bool gaps = asked && (!plan.seen || plan.seen->covered < samples);
     plan.shows_background = gaps || std::any_of(plan.views.begin(), plan.views.end(),
                                                 [&](const View* view) { return !is_written_everywhere(plan, *view); });
 }
@@ -126,7 +130,7 @@ void choose_environment(const Scene& scene, RenderPlan& plan) {
     const bool background = scene.image.environment_background && plan.film && plan.shows_background &&
                             (!plan.seen || scene.environment.intensity != 0.0f);
     plan.environment_background = background;
-    const bool looked_at = !plan.seen || !plan.wanted.radiance;
+    const bool looked_at = !plan.seen || !plan.wanted.effects;
     plan.environment = environment_needs(scene, plan.lighting.environment, background, looked_at);
     plan.lit_by_environment = plan.lighting.lit_by_environment();
 }

@@ -38,7 +38,7 @@ TEST_CASE("90_what_a_scene_requires: the picture has a bar where a scene needs a
         "xxxxx",   // triangles
         ".x...",   // light triangles
         "xxxxx",   // visibility
-        "x.xxx",   // interpolate: a flat triangle has one colour
+        "..xxx",   // interpolate: a flat triangle has one colour, an unlit surface too
         "x..xx",   // light pixels: unlit surfaces are "lit" at pixels by their own colour
         "...x.",   // fog at pixels
         "xxxxx"};  // film
