@@ -7,6 +7,7 @@
 #include "scene/plan/origin_words.hpp"
 #include "scene/plan/plan.hpp"
 #include "tools/commands.hpp"
+#include "tools/plan_json.hpp"
 #include "tools/scene_options.hpp"
 
 namespace kreda::tools {
@@ -16,6 +17,7 @@ namespace {
 struct PlanOptions {
     SceneOptions scene;
     bool why_not = false;
+    bool json = false;
 };
 
 }  // namespace
@@ -27,6 +29,7 @@ void add_plan_command(CLI::App& app) {
     add_scene_options(*command, options->scene);
     command->add_flag("--why-not", options->why_not,
                       "Also list the passes that are left out, and what would need them");
+    command->add_flag("--json", options->json, "Print the plan, and what is left out, as JSON");
     command->footer(
         "\nA pass that nothing requires is not run and allocates nothing. Costs are estimated from counts before "
         "anything is\n"
@@ -34,9 +37,13 @@ void add_plan_command(CLI::App& app) {
         "counts as\n"
         "covered. Buffers of a tile or batch exist once a thread. kreda render --time measures.");
     command->callback([options] {
-        const scene::Scene scene = load_scene(options->scene);
+        const auto [scene, plan] = load_and_plan(options->scene, {});
+        if (options->json) {
+            std::cout << plan_json(plan);
+            return;
+        }
         if (scene::is_far_from_zero(scene)) std::cout << scene::origin_sentence(scene) << "\n";
-        std::cout << describe(make_plan(scene), options->why_not);
+        std::cout << describe(plan, options->why_not);
     });
 }
 

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 
-#include "scene/map_meshes.hpp"
 #include "scene/plan/environment_plan.hpp"
 #include "scene/plan/pass_functions.hpp"
 #include "scene/plan/plan_cost.hpp"
@@ -11,8 +10,6 @@
 namespace kreda::scene {
 
 namespace {
-
-using lighting::ReflectionModel;
 
 /// What the functions below read, and the list that they add to.
 struct Listing {
@@ -27,26 +24,6 @@ struct Listing {
         return passes.back();
     }
 };
-
-bool is_lit(const lighting::Material& material) {
-    return material.model != ReflectionModel::unlit;
-}
-
-/// Which materials a test holds for, by number.
-template <class Test>
-std::vector<bool> materials_with(const Scene& scene, Test test) {
-    std::vector<bool> with;
-    for (const lighting::Material& material : scene.materials) with.push_back(test(material));
-    return with;
-}
-
-bool any_visible(const Scene& scene, const std::vector<bool>& materials) {
-    const std::vector<bool> visible = visible_materials(scene);
-    for (std::size_t m = 0; m < materials.size(); ++m) {
-        if (visible[m] && materials[m]) return true;
-    }
-    return false;
-}
 
 void list_vertices(Listing& list) {
     const raster::VertexNeeds& needs = list.plan.vertex;
@@ -72,9 +49,9 @@ void list_triangles(Listing& list) {
     list.add(PassScope::frame, place_triangles, "triangles",
              "cull, clip and sort " + std::to_string(count) + " triangles into tiles", triangle_cost(list.counts))
         .buffers = {{"triangles and bins, at most", count * (sizeof(raster::ScreenTriangle) + sizeof(std::uint16_t))}};
-    if (!finds_sides(list.plan)) return;
+    if (!list.plan.finds_sides) return;
     list.add(PassScope::frame, find_sides, "sides",
-             "shading.two_sided: a triangle seen from behind has its normals turned to the viewer",
+             "shading.two_sided, and normals that contradict the winding: which side of a triangle is seen",
              side_cost(list.counts));
 }
 
@@ -93,6 +70,7 @@ void list_shadows(Listing& list) {
         pass.scope = PassScope::frame;
         pass.run = list.plan.shadows_by_frame ? find_frame_shadow : prepare_shadow;
         pass.index = number(shadow, list.plan);
+        if (list.plan.seen) pass.bound = "whether anything that is seen lies in it is known once it is there";
         list.passes.push_back(std::move(pass));
     }
 }
@@ -117,10 +95,9 @@ const char* filter_name(lighting::TextureFilter filter) {
 
 /// One pass a material with maps.
 void list_maps(Listing& list) {
-    const std::vector<bool> visible = visible_materials(list.scene);
     for (std::size_t m = 0; m < list.plan.materials.size(); ++m) {
         const lighting::MaterialMaps& maps = list.plan.materials[m].maps;
-        if (!visible[m] || !list.plan.materials[m].map_needs.uv) continue;
+        if (!list.plan.lighting.maps[m]) continue;
         std::string names;
         std::vector<PlannedBuffer> buffers;
         for (const lighting::MapUse& use : lighting::map_uses()) {
@@ -139,6 +116,7 @@ void list_maps(Listing& list) {
         pass.index = static_cast<int>(m);
         pass.materials.assign(list.plan.materials.size(), false);
         pass.materials[m] = true;
+        if (list.plan.seen && is_lit(list.scene.materials[m])) pass.bound = "as for the lights that ask for it";
     }
 }
 
@@ -150,36 +128,42 @@ std::string environment_reason(const Scene& scene, const RenderPlan& plan) {
     return how + where_lit(plan.frequency);
 }
 
-void list_lights(Listing& list, const std::vector<bool>& lit) {
-    int number = 0;
+void list_lights(Listing& list) {
+    int number = -1;
     for (std::size_t i = 0; i < list.scene.lights.size(); ++i) {
         const lighting::Light& light = list.scene.lights[i];
-        if (!light.on) continue;
+        number += light.on;
+        if (!any_of(list.plan.lighting.lamps[i])) continue;
         const bool casts = std::any_of(list.plan.shadows.begin(), list.plan.shadows.end(),
                                        [&](const PlannedShadow& s) { return s.light == static_cast<int>(i); });
         PlannedPass& pass = list.add(PassScope::points, add_light, name_of_light(light, i),
                                      std::string("on: what it sends") + (casts ? ", its shadow" : "") +
                                          " and what is reflected of it " + where_lit(list.plan.frequency),
                                      light_cost(list.scene, list.plan, list.counts, static_cast<int>(i)));
-        pass.index = number++;
-        pass.materials = lit;
+        pass.index = number;
+        pass.materials = list.plan.lighting.lamps[i];
+        if (list.plan.seen)
+            pass.bound = "whether a seen sample faces it out of the shadow is asked triangle by triangle";
     }
 }
 
 /// What light is, wherever it is computed: the passes of the lecture's equation.
 void list_lighting(Listing& list) {
-    const std::vector<bool> lit = materials_with(list.scene, is_lit);
+    const LightingChoices& chosen = list.plan.lighting;
     list_maps(list);
-    if (!any_visible(list.scene, lit)) return;
-    list.add(PassScope::points, find_surface, "surface", std::string("n and v ") + where_lit(list.plan.frequency),
-             surface_cost(list.plan, list.counts))
-        .materials = lit;
+    if (any_of(chosen.surface)) {
+        PlannedPass& pass =
+            list.add(PassScope::points, find_surface, "surface",
+                     std::string("n and v ") + where_lit(list.plan.frequency), surface_cost(list.plan, list.counts));
+        pass.materials = chosen.surface;
+        if (list.plan.seen && !list.plan.lit_by_environment) pass.bound = "as for the lights that ask for it";
+    }
     if (list.plan.lit_by_environment) {
         list.add(PassScope::points, add_environment, "environment", environment_reason(list.scene, list.plan),
                  environment_light_cost(list.scene, list.plan, list.counts))
-            .materials = lit;
+            .materials = chosen.environment;
     }
-    list_lights(list, lit);
+    list_lights(list);
 }
 
 /// The pass that lights, and behind it what it runs at every batch of points.
@@ -215,7 +199,7 @@ void list_lit_samples(Listing& list) {
 /// Flat shading in clear air has nothing left to compute at a pixel.
 bool only_painting_left(const RenderPlan& plan) {
     const bool fog = plan.fog_at_pixels || plan.fog_at_vertices;
-    return plan.frequency == ShadingFrequency::flat && !fog && plan.views.empty();
+    return plan.frequency == ShadingFrequency::flat && plan.film && !fog && plan.views.empty();
 }
 
 bool interpolates(const RenderPlan& plan) {
@@ -229,6 +213,7 @@ void list_fog(Listing& list) {
                  fog_cost(list.scene, list.counts));
     }
     if (list.plan.fog_at_vertices || list.plan.fog_at_pixels) {
+        if (!list.plan.wanted.radiance) return;
         list.add(PassScope::batch, mix_fog, "mix fog", "fog.mode is not \"none\"", mix_fog_cost(list.counts));
     }
 }
@@ -253,12 +238,13 @@ void list_batches(Listing& list) {
                  interpolation_cost(list.plan, list.counts))
             .buffers = {{"fragments of one batch, a thread", sizeof(raster::Fragments)}};
     }
-    if (list.plan.frequency == ShadingFrequency::flat) {
+    if (list.plan.frequency == ShadingFrequency::flat && list.plan.wanted.radiance) {
         list.add(PassScope::batch, color_flat, "flat color", "the colour of its triangle at every sample",
                  copy_cost(list.counts));
     }
-    if (list.plan.frequency == ShadingFrequency::phong) list_lit_samples(list);
+    if (list.plan.frequency == ShadingFrequency::phong && list.plan.lighting.any) list_lit_samples(list);
     list_fog(list);
+    if (!list.plan.film) return;
     list.add(PassScope::batch, paint, "paint", "the radiance of a batch to its places in the tile",
              copy_cost(list.counts));
 }
@@ -283,43 +269,40 @@ void list_views(Listing& list, bool depth) {
 
 void list_background(Listing& list) {
     list.add(PassScope::tile, start_background, "background",
-             list.scene.image.environment_background ? "image.background = \"environment\": where nothing is drawn"
-                                                     : "image.background: one colour where nothing is drawn",
+             list.plan.environment_background ? "image.background = \"environment\": where nothing is drawn"
+                                              : "image.background: one colour where nothing is drawn",
              copy_cost(list.counts));
 }
 
 void list_film(Listing& list) {
     const int n = list.scene.image.samples;
-    list.add(PassScope::tile, write_film, "film",
-             n == 1 ? "one sample a pixel" : "mean of " + std::to_string(n * n) + " samples a pixel",
-             film_cost(list.plan, list.counts))
-        .buffers = {{"linear RGB", list.counts.pixels * 3 * sizeof(float)}};
+    PlannedPass& pass =
+        list.add(PassScope::tile, write_film, "film",
+                 n == 1 ? "one sample a pixel" : "mean of " + std::to_string(n * n) + " samples a pixel",
+                 film_cost(list.plan, list.counts));
+    if (list.plan.film) pass.buffers = {{"linear RGB", list.counts.pixels * 3 * sizeof(float)}};
 }
 
 void list_objects(Listing& list) {
     const RenderPlan& plan = list.plan;
     list_vertices(list);
     if (!plan.shadows_by_frame) list_shadows(list);
-    if (plan.frequency == ShadingFrequency::gouraud) list_lit_vertices(list);
+    if (plan.vertex.color) list_lit_vertices(list);
     if (plan.fog_at_vertices) list_vertex_fog(list);
     list_triangles(list);
     if (plan.shadows_by_frame) list_shadows(list);
-    if (plan.frequency == ShadingFrequency::flat) list_lit_triangles(list);
+    if (plan.frequency == ShadingFrequency::flat && plan.wanted.radiance) list_lit_triangles(list);
 }
 
 }  // namespace
 
-bool finds_sides(const RenderPlan& plan) {
-    return plan.two_sided && plan.frequency != ShadingFrequency::flat;
-}
-
 void list_passes(const Scene& scene, RenderPlan& plan) {
     Listing list{scene, plan, count(scene, plan), plan_baking(scene, plan.environment)};
-    const bool objects = !scene.objects.empty();
+    const bool objects = plan.draws_objects;
     if (objects) list_objects(list);
     if (objects) list_visible(list);
-    list_background(list);
-    list_views(list, true);
+    if (plan.shows_background) list_background(list);
+    if (objects) list_views(list, true);
     if (objects) list_batches(list);
     if (objects) list_views(list, false);
     list_film(list);

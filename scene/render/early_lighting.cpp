@@ -119,8 +119,8 @@ void turn_point(int i, raster::Fragments& points) {
 
 void set_vertex_points(const Frame& frame, std::uint32_t first, int count, bool behind, raster::Fragments& points) {
     const raster::VertexStreams& streams = frame.buffers.streams;
-    copy_points(&streams.position_world[first], count, points.position);
-    copy_points(&streams.normal_world[first], count, points.normal);
+    if (!streams.position_world.empty()) copy_points(&streams.position_world[first], count, points.position);
+    if (!streams.normal_world.empty()) copy_points(&streams.normal_world[first], count, points.normal);
     if (!frame.plan.shadows.empty()) copy_points(&streams.normal_world[first], count, points.face_normal);
     for (int i = 0; i < count && !streams.uv.empty(); ++i) {
         set_uv(streams.uv[first + static_cast<std::uint32_t>(i)], glm::vec2(0.0f), glm::vec2(0.0f), i, points);
@@ -167,6 +167,7 @@ void light_vertices(const PassWork& work) {
         for (std::size_t p = 0; p < instance.mesh->parts.size(); ++p) {
             const VertexRange range = vertices_of_part(*instance.mesh, instance.mesh->parts[p]);
             const auto material = static_cast<std::uint32_t>(instance.part_material[p]);
+            if (!work.frame.plan.lighting.seen[material]) continue;
             const std::uint32_t first = instance.first_vertex + range.first;
             const int count = static_cast<int>(range.end - range.first);
             light_range(work, material, first, count, false, streams.color);
@@ -195,7 +196,8 @@ void light_triangles(const PassWork& work) {
 #pragma omp for schedule(dynamic)
         for (int i = 0; i < chunk_count; ++i) {
             const raster::TriangleChunk& chunk = buffers.triangles.chunks[i];
-            if (!chunk.triangles.empty()) light_chunk(work.frame, chunk, buffers.flat_color[i], scratch);
+            const bool seen = !chunk.triangles.empty() && work.frame.plan.lighting.seen[chunk.triangles[0].material];
+            if (seen) light_chunk(work.frame, chunk, buffers.flat_color[i], scratch);
             scratch.clock.lap(number);
         }
     }

@@ -57,8 +57,8 @@ void fill_background(const glm::vec3& background, TileColor& color) {
 
 /// What is seen where nothing is drawn.
 void start_color(const Frame& frame, const TileArea& area, TileScratch& scratch) {
-    if (!frame.scene.image.environment_background) {
-        if (!scratch.color_is_background) fill_background(frame.scene.image.background, scratch.color);
+    if (!frame.plan.environment_background) {
+        if (!scratch.color_is_background) fill_background(frame.plan.background, scratch.color);
         return;
     }
     const ViewRays rays = view_rays(frame.scene.camera, frame.plan.viewport);
@@ -202,8 +202,8 @@ void start_background(const PassWork& work) {
     const Frame& frame = work.frame;
     TileScratch& scratch = work.scratch;
     const int covered = samples_of(scratch.runs, scratch.run_count);
-    if (covered < work.area.width * work.area.height) start_color(frame, work.area, scratch);
-    scratch.color_is_background = covered == 0 && !frame.scene.image.environment_background;
+    if (frame.plan.film && covered < work.area.width * work.area.height) start_color(frame, work.area, scratch);
+    scratch.color_is_background = covered == 0 && !frame.plan.environment_background;
     for (std::size_t v = 0; v < frame.plan.views.size(); ++v) {
         fill_background(glm::vec3(frame.plan.views[v]->background), scratch.views[v]);
     }
@@ -228,7 +228,7 @@ void paint_flat(const PassWork& work) {
 void write_film(const PassWork& work) {
     RenderBuffers& buffers = work.frame.buffers;
     const TileScratch& scratch = work.scratch;
-    write_picture(work.area, work.frame.plan.samples, scratch.color, buffers.film);
+    if (work.frame.plan.film) write_picture(work.area, work.frame.plan.samples, scratch.color, buffers.film);
     for (std::size_t v = 0; v < buffers.views.size(); ++v) {
         write_picture(work.area, work.frame.plan.samples, scratch.views[v], buffers.views[v]);
     }

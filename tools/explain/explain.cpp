@@ -16,7 +16,7 @@ using scene::RenderPlan;
 
 /// The plan of the picture, and every channel that the scene can show.
 RenderPlan plan_with_views(const scene::Scene& scene) {
-    const RenderPlan plan = make_plan(scene);
+    const RenderPlan plan = make_plan_for(scene, scene::PlanRequest{.prune = false});
     std::vector<const scene::View*> views;
     for (const scene::View& view : scene::all_views()) {
         if (can_show(plan, scene, view)) views.push_back(&view);
