@@ -45,24 +45,40 @@ bool reflects_environment(const Material& material) {
 
 /// Does the model read a map that is given, and that matters for what is asked?
 bool reads_wanted_map(const Material& material, const Wanted& wanted) {
-    if (wanted.map_names.empty()) return reads_maps(material);
     const auto matters = [&](const lighting::MapUse& use) {
         const std::vector<std::string_view>& names = wanted.map_names;
-        return std::find(names.begin(), names.end(), use.name) != names.end() && is_given(material.maps.*use.map) &&
-               reads_map(material.model, use);
+        const bool asked = names.empty() || std::find(names.begin(), names.end(), use.name) != names.end();
+        return asked && is_given(material.maps.*use.map) && reads_map(material.model, use);
     };
     return std::ranges::any_of(lighting::map_uses(), matters);
+}
+
+/// Does emission come from a map? A factor of 0 before it leaves nothing.
+bool emits_by_map(const Material& material) {
+    return is_given(material.maps.emission) && material.phong.emission != kBlack;
+}
+
+/// Does a map change the sums that are asked for? `is_reached`: some light arrives, so that what it is reflected by
+/// matters.
+bool map_shows(const Material& material, const Wanted& wanted, bool is_reached) {
+    const bool own_light = wanted.radiance || wanted.environment;  // the sum of all, or what is there without lamps
+    if (own_light && emits_by_map(material)) return true;
+    if (!is_lit(material)) return own_light && is_given(material.maps.diffuse);
+    const auto reflects_by = [&](const lighting::MapUse& use) {
+        return use.map != &lighting::MaterialMaps::emission && is_given(material.maps.*use.map) &&
+               reads_map(material.model, use);
+    };
+    return is_reached && std::ranges::any_of(lighting::map_uses(), reflects_by);
 }
 
 bool is_black(const lighting::Light& light) {
     return light.color * light.intensity == kBlack;
 }
 
-int last_light(const Scene& scene, bool with_shadow) {
+int last_light(const Scene& scene) {
     int last = -1;
     for (std::size_t k = 0; k < scene.lights.size(); ++k) {
-        const lighting::Light& light = scene.lights[k];
-        if (light.on && (light.shadow || !with_shadow)) last = static_cast<int>(k);
+        if (scene.lights[k].on) last = static_cast<int>(k);
     }
     return last;
 }
@@ -83,8 +99,10 @@ std::vector<MaterialMask> choose_lamps(const Scene& scene, const Seen* seen, con
     for (std::size_t k = 0; k < lamps.size(); ++k) {
         if (wanted.lamps && scene.lights[k].on) lamps[k] = choose_lamp(scene, seen, lit, k);
     }
-    if (const int last = last_light(scene, false); wanted.last_lamp && last >= 0) lamps[last] = lit;
-    if (const int last = last_light(scene, true); wanted.last_shadow && last >= 0) lamps[last] = lit;
+    if (const int last = last_light(scene); wanted.last_lamp && last >= 0) lamps[static_cast<std::size_t>(last)] = lit;
+    for (std::size_t k = 0; k < lamps.size() && wanted.last_shadow; ++k) {  // which of them has one is not known yet
+        if (scene.lights[k].on && scene.lights[k].shadow) lamps[k] = lit;
+    }
     return lamps;
 }
 
@@ -119,6 +137,11 @@ bool is_lit(const Material& material) {
     return material.model != ReflectionModel::unlit;
 }
 
+LightingChoices nothing_lit(const Scene& scene) {
+    const MaterialMask none(scene.materials.size(), false);
+    return {none, none, none, none, std::vector<MaterialMask>(scene.lights.size(), none), false};
+}
+
 LightingChoices choose_lighting(const Scene& scene, const Seen* seen, const Wanted& wanted) {
     LightingChoices chosen;
     chosen.seen = seen_materials(scene, seen);
@@ -137,7 +160,7 @@ LightingChoices choose_lighting(const Scene& scene, const Seen* seen, const Want
         mask_of(scene, [&](std::size_t m) { return lit[m] && wanted.surface && (looked_at || is_reached(m)); });
     chosen.maps = mask_of(scene, [&](std::size_t m) {
         const bool read = chosen.any && wanted.maps && chosen.seen[m] && reads_wanted_map(scene.materials[m], wanted);
-        return read && (looked_at || !is_lit(scene.materials[m]) || is_reached(m));
+        return read && (looked_at || map_shows(scene.materials[m], wanted, is_reached(m)));
     });
     return chosen;
 }

@@ -31,6 +31,9 @@ struct LightingChoices {
 /// Does the model reflect any light at all?
 [[nodiscard]] bool is_lit(const lighting::Material& material);
 
+/// Where nothing is drawn.
+[[nodiscard]] LightingChoices nothing_lit(const Scene& scene);
+
 /// Maps count whether their texels are there already or not. `seen`: nullptr where nothing shall be left out; then
 /// everything that is not hidden counts as seen.
 [[nodiscard]] LightingChoices choose_lighting(const Scene& scene, const Seen* seen, const Wanted& wanted);

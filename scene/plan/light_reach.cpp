@@ -50,6 +50,18 @@ bool in_cone(const LightSetup& light, const LitTriangle& t) {
 
 }  // namespace
 
+bool reaches_point(const LightSetup& light, const glm::vec3& p, const glm::vec3& n, bool any_normal) {
+    lighting::LightSample arrives;
+    switch (light.type) {
+        case LightType::directional: arrives = sample_directional(light); break;
+        case LightType::point: arrives = sample_point(light, p); break;
+        case LightType::spot: arrives = sample_spot(light, p); break;
+    }
+    if (arrives.irradiance == glm::vec3(0.0f)) return false;
+    const float least = kFacing * glm::length(n);  // |l| = 1
+    return any_normal || !(glm::dot(n, arrives.l) <= least);
+}
+
 bool may_reach(const LightSetup& light, const LitTriangle& triangle) {
     if (light.type == LightType::spot && !in_cone(light, triangle)) return false;
     return triangle.any_normal || faces(light, triangle);

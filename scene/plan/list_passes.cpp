@@ -25,6 +25,8 @@ struct Listing {
     }
 };
 
+constexpr const char* kAsTheLights = "as for the lights that ask for it";
+
 void list_vertices(Listing& list) {
     const raster::VertexNeeds& needs = list.plan.vertex;
     const std::uint64_t count = list.counts.vertices;
@@ -64,6 +66,7 @@ void list_shadows(Listing& list) {
         list.add(PassScope::frame, find_visible_samples, "visible samples",
                  "shadow.method looks at all samples that are seen, before any is lit", visibility_cost(list.counts))
             .buffers = {{"depth, position and triangle", list.counts.samples * kSample}};
+        if (list.plan.seen) list.passes.back().bound = "as for the shadows that ask for it";
     }
     for (const PlannedShadow& shadow : list.plan.shadows) {
         PlannedPass pass = pass_of(list.scene, shadow, list.plan.viewport);
@@ -116,7 +119,7 @@ void list_maps(Listing& list) {
         pass.index = static_cast<int>(m);
         pass.materials.assign(list.plan.materials.size(), false);
         pass.materials[m] = true;
-        if (list.plan.seen && is_lit(list.scene.materials[m])) pass.bound = "as for the lights that ask for it";
+        if (list.plan.seen && is_lit(list.scene.materials[m])) pass.bound = kAsTheLights;
     }
 }
 
@@ -143,7 +146,7 @@ void list_lights(Listing& list) {
         pass.index = number;
         pass.materials = list.plan.lighting.lamps[i];
         if (list.plan.seen)
-            pass.bound = "whether a seen sample faces it out of the shadow is asked triangle by triangle";
+            pass.bound = "whether a seen sample faces it out of the shadow, and reflects it, is not asked before";
     }
 }
 
@@ -156,7 +159,7 @@ void list_lighting(Listing& list) {
             list.add(PassScope::points, find_surface, "surface",
                      std::string("n and v ") + where_lit(list.plan.frequency), surface_cost(list.plan, list.counts));
         pass.materials = chosen.surface;
-        if (list.plan.seen && !list.plan.lit_by_environment) pass.bound = "as for the lights that ask for it";
+        if (list.plan.seen && !list.plan.lit_by_environment) pass.bound = kAsTheLights;
     }
     if (list.plan.lit_by_environment) {
         list.add(PassScope::points, add_environment, "environment", environment_reason(list.scene, list.plan),
@@ -165,6 +168,9 @@ void list_lighting(Listing& list) {
     }
     list_lights(list);
 }
+
+/// Colours that are computed before anything is drawn lie in memory that begins black.
+constexpr const char* kMayBeBlack = "whether what is seen is black anyway is known once it is lit";
 
 /// The pass that lights, and behind it what it runs at every batch of points.
 PlannedPass& list_lit(Listing& list, PassScope scope, void (*run)(const PassWork&), const std::string& name,
@@ -181,13 +187,15 @@ void list_lit_vertices(Listing& list) {
                                  std::string("shading.frequency = \"gouraud\": what follows, at every vertex") +
                                      (list.plan.two_sided ? ", for both sides of the surface" : ""));
     pass.buffers = {{"color", bytes}};
+    if (list.plan.seen) pass.bound = kMayBeBlack;
     if (list.plan.two_sided) pass.buffers.push_back({"color_behind", bytes});
 }
 
 void list_lit_triangles(Listing& list) {
-    list_lit(list, PassScope::frame, light_triangles, "light triangles",
-             "shading.frequency = \"flat\": what follows, once a triangle, at its centroid")
-        .buffers = {{"flat color", list.counts.triangles * sizeof(glm::vec3)}};
+    PlannedPass& pass = list_lit(list, PassScope::frame, light_triangles, "light triangles",
+                                 "shading.frequency = \"flat\": what follows, once a triangle, at its centroid");
+    pass.buffers = {{"flat color", list.counts.triangles * sizeof(glm::vec3)}};
+    if (list.plan.seen) pass.bound = kMayBeBlack;
 }
 
 void list_lit_samples(Listing& list) {
@@ -205,6 +213,17 @@ bool only_painting_left(const RenderPlan& plan) {
 bool interpolates(const RenderPlan& plan) {
     return plan.shadows_by_frame || std::any_of(plan.fragment_of_material.begin(), plan.fragment_of_material.end(),
                                                 [](const raster::FragmentNeeds& needs) { return needs.any(); });
+}
+
+/// Nothing but lamps reads what is interpolated.
+bool only_lamps_ask(const RenderPlan& plan) {
+    const bool fog = plan.fog_at_pixels || plan.fog_at_vertices;
+    const auto shows_a_map = [&](std::size_t m) { return plan.lighting.maps[m] && !plan.lighting.surface[m]; };
+    if (!plan.seen || plan.frequency != ShadingFrequency::phong || fog || plan.lit_by_environment) return false;
+    for (std::size_t m = 0; m < plan.materials.size(); ++m) {
+        if (shows_a_map(m)) return false;
+    }
+    return std::all_of(plan.views.begin(), plan.views.end(), [](const View* view) { return !view->needs.any(); });
 }
 
 void list_fog(Listing& list) {
@@ -237,10 +256,13 @@ void list_batches(Listing& list) {
                  std::string("attributes between the vertices, ") + (affine ? "affine" : "perspective-correct"),
                  interpolation_cost(list.plan, list.counts))
             .buffers = {{"fragments of one batch, a thread", sizeof(raster::Fragments)}};
+        if (only_lamps_ask(list.plan)) list.passes.back().bound = kAsTheLights;
+        if (list.plan.seen && list.plan.vertex.color) list.passes.back().bound = kMayBeBlack;
     }
     if (list.plan.frequency == ShadingFrequency::flat && list.plan.wanted.radiance) {
         list.add(PassScope::batch, color_flat, "flat color", "the colour of its triangle at every sample",
                  copy_cost(list.counts));
+        if (list.plan.seen) list.passes.back().bound = "whether fog hides it all is known once it is there";
     }
     if (list.plan.frequency == ShadingFrequency::phong && list.plan.lighting.any) list_lit_samples(list);
     list_fog(list);
@@ -298,6 +320,9 @@ void list_objects(Listing& list) {
 
 void list_passes(const Scene& scene, RenderPlan& plan) {
     Listing list{scene, plan, count(scene, plan), plan_baking(scene, plan.environment)};
+    for (PlannedPass& pass : list.passes) {
+        if (plan.seen && !plan.wanted.effects) pass.bound = "which of the baked maps the view reads is not asked";
+    }
     const bool objects = plan.draws_objects;
     if (objects) list_objects(list);
     if (objects) list_visible(list);

@@ -15,14 +15,25 @@ bool is_lit_by_lamps(const RenderPlan& plan, std::size_t m) {
                        [&](const MaterialMask& lamp) { return lamp[m]; });
 }
 
+/// A lamp at a place, or one with a shadow, asks where the point lies; light from infinitely far away does not.
+bool is_lit_from_a_place(const Scene& scene, const RenderPlan& plan, std::size_t m) {
+    for (std::size_t k = 0; k < scene.lights.size(); ++k) {
+        const auto is_its = [&](const PlannedShadow& shadow) { return shadow.light == static_cast<int>(k); };
+        const bool asks = scene.lights[k].type != lighting::LightType::directional ||
+                          std::any_of(plan.shadows.begin(), plan.shadows.end(), is_its);
+        if (plan.lighting.lamps[k][m] && asks) return true;
+    }
+    return false;
+}
+
 /// What light at one sample reads: the position for v and for lamps, the normal for n, and what maps are read by.
-raster::FragmentNeeds lit_sample_needs(const RenderPlan& plan, std::size_t m) {
+raster::FragmentNeeds lit_sample_needs(const Scene& scene, const RenderPlan& plan, std::size_t m) {
     const bool surface = plan.lighting.surface[m] || !plan.seen, maps = plan.lighting.maps[m];
-    const bool lamps = is_lit_by_lamps(plan, m);
+    const bool same_view = plan.seen && scene.camera.projection == raster::Projection::orthographic;
     const lighting::MapNeeds& read = plan.materials[m].map_needs;
     raster::FragmentNeeds needs;
-    needs.position = (surface || lamps) && plan.wanted.position;
-    needs.face_normal = (surface || lamps) && has_shadow_maps(plan);
+    needs.position = plan.wanted.position && ((surface && !same_view) || is_lit_from_a_place(scene, plan, m));
+    needs.face_normal = (surface || is_lit_by_lamps(plan, m)) && has_shadow_maps(plan);
     needs.normal = surface || needs.face_normal;  // it says which side of the face is outside
     needs.uv = maps && read.uv;
     needs.uv_steps = maps && read.uv_steps;
@@ -56,12 +67,12 @@ raster::FragmentNeeds join(const std::vector<raster::FragmentNeeds>& of_material
     return all;
 }
 
-std::vector<raster::FragmentNeeds> fragment_needs(const RenderPlan& plan) {
+std::vector<raster::FragmentNeeds> fragment_needs(const Scene& scene, const RenderPlan& plan) {
     std::vector<raster::FragmentNeeds> of_material(plan.materials.size());
     for (std::size_t m = 0; m < of_material.size(); ++m) {
         if (!plan.lighting.seen[m]) continue;
         raster::FragmentNeeds& needs = of_material[m];
-        if (plan.frequency == ShadingFrequency::phong) needs = lit_sample_needs(plan, m);
+        if (plan.frequency == ShadingFrequency::phong) needs = lit_sample_needs(scene, plan, m);
         needs.position |= plan.fog_at_pixels;
         needs.color = plan.frequency == ShadingFrequency::gouraud && plan.wanted.radiance;
         needs.fog = plan.fog_at_vertices;

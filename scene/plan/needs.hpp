@@ -11,7 +11,7 @@ namespace kreda::scene {
 [[nodiscard]] raster::VertexNeeds vertex_needs(const RenderPlan& plan);
 
 /// Attributes that are interpolated for the visible samples of each material.
-[[nodiscard]] std::vector<raster::FragmentNeeds> fragment_needs(const RenderPlan& plan);
+[[nodiscard]] std::vector<raster::FragmentNeeds> fragment_needs(const Scene& scene, const RenderPlan& plan);
 
 /// What any of them needs.
 [[nodiscard]] raster::FragmentNeeds join(const std::vector<raster::FragmentNeeds>& of_material);

@@ -70,6 +70,26 @@ void start_materials(const Scene& scene, RenderPlan& plan) {
     }
 }
 
+/// Is a view there for anything that is seen? The depth buffer is for all of it.
+bool shows_anything(const RenderPlan& plan, const View& view) {
+    for (std::size_t m = 0; m < plan.materials.size(); ++m) {
+        if (plan.lighting.seen[m] && (!view.value || view.holds(plan, static_cast<std::uint32_t>(m)))) return true;
+    }
+    return false;
+}
+
+/// Objects that are seen, and of which nothing is asked for, are not drawn.
+void leave_unasked_objects(const Scene& scene, RenderPlan& plan) {
+    const bool asked = plan.film || std::any_of(plan.views.begin(), plan.views.end(),
+                                                [&](const View* view) { return shows_anything(plan, *view); });
+    if (!plan.seen || (asked && plan.seen->covered > 0)) return;
+    plan.draws_objects = false;
+    plan.lighting = nothing_lit(scene);
+    plan.shadows.clear();
+    plan.shadows_by_frame = plan.fog_at_vertices = plan.fog_at_pixels = plan.lit_by_environment = false;
+    if (!plan.environment_background) plan.environment = {};
+}
+
 void choose_materials(const Scene& scene, RenderPlan& plan) {
     plan.lighting = choose_lighting(scene, plan.seen ? &*plan.seen : nullptr, plan.wanted);
     plan.draws_objects = plan.seen ? plan.seen->covered > 0 : !scene.objects.empty();
@@ -78,9 +98,11 @@ void choose_materials(const Scene& scene, RenderPlan& plan) {
     }
 }
 
-/// Fog that leaves everything clear is none: a factor of exactly 1 changes no bit.
+/// Fog that leaves everything clear is none: a factor of exactly 1 changes no bit. A factor of 1 at every vertex is not
+/// exactly 1 between them.
 bool fog_is_clear(const Scene& scene, const Seen& seen) {
     constexpr float kRounding = 1.0001f;
+    if (scene.fog.frequency == lighting::FogFrequency::vertex) return false;
     if (scene.fog.mode == lighting::FogMode::linear) return seen.farthest * kRounding < scene.fog.start;
     return scene.fog.density == 0.0f;
 }
@@ -93,12 +115,23 @@ void choose_fog(const Scene& scene, RenderPlan& plan) {
     plan.fog_at_pixels = scene.fog.frequency == lighting::FogFrequency::pixel;
 }
 
+/// A view of shadows looks at those of one light: the last that has one.
+void keep_last_shadow(RenderPlan& plan) {
+    if (!plan.wanted.last_shadow || plan.wanted.lamps || plan.shadows.empty()) return;
+    const PlannedShadow last = plan.shadows.back();
+    for (std::size_t k = 0; k < plan.lighting.lamps.size(); ++k) {
+        if (static_cast<int>(k) != last.light) plan.lighting.lamps[k].assign(plan.materials.size(), false);
+    }
+    plan.shadows = {last};
+}
+
 /// Shadows of the lights that are added to something. Returns why other lights have none.
 std::vector<std::string> choose_shadows(const Scene& scene, RenderPlan& plan) {
     std::vector<bool> shines;
     for (const MaterialMask& lamp : plan.lighting.lamps) shines.push_back(plan.wanted.shadows && any_of(lamp));
     ShadowPlan shadow_plan = plan_shadows(scene, plan.frequency == ShadingFrequency::phong, shines);
     plan.shadows = std::move(shadow_plan.shadows);
+    keep_last_shadow(plan);
     plan.shadows_by_frame = !plan.shadows.empty() && is_frame_by_frame(scene.shadow.method);
     KREDA_EXPECT(!plan.shadows_by_frame || plan.frequency == ShadingFrequency::phong);
     return std::move(shadow_plan.why_not);
@@ -112,22 +145,26 @@ bool is_written_everywhere(const RenderPlan& plan, const View& view) {
     return true;
 }
 
-void choose_background(RenderPlan& plan) {
+/// Are there samples that show no object?
+bool has_gaps(const RenderPlan& plan) {
     const std::uint64_t samples =
         static_cast<std::uint64_t>(plan.viewport.width) * static_cast<std::uint64_t>(plan.viewport.height);
-    const auto has_background = [](const View* view) {
-        return view->value != nullptr;
-    };  // the depth buffer is all there
-    const bool asked = plan.film || std::any_of(plan.views.begin(), plan.views.end(), has_background);
-    const bool gaps = asked && (!plan.seen || plan.seen->covered < samples);
-    plan.shows_background = gaps || std::any_of(plan.views.begin(), plan.views.end(),
-                                                [&](const View* view) { return !is_written_everywhere(plan, *view); });
+    return !plan.draws_objects || !plan.seen || plan.seen->covered < samples;
+}
+
+void choose_background(RenderPlan& plan) {
+    const auto needs_background = [&](const View* view) {
+        const bool is_depth = !view->value;  // where nothing is drawn, the depth buffer says so itself
+        return (has_gaps(plan) && (!is_depth || !plan.draws_objects)) || !is_written_everywhere(plan, *view);
+    };
+    plan.shows_background = (plan.film && has_gaps(plan)) ||
+                            std::any_of(plan.views.begin(), plan.views.end(), needs_background);
 }
 
 void choose_environment(const Scene& scene, RenderPlan& plan) {
     plan.background = scene.image.environment_background ? glm::vec3(0.0f) : scene.image.background;
     if (!scene.environment.on) return;
-    const bool background = scene.image.environment_background && plan.film && plan.shows_background &&
+    const bool background = scene.image.environment_background && plan.film && has_gaps(plan) &&
                             (!plan.seen || scene.environment.intensity != 0.0f);
     plan.environment_background = background;
     const bool looked_at = !plan.seen || !plan.wanted.effects;
@@ -152,11 +189,12 @@ RenderPlan make_plan_for(const Scene& scene, const PlanRequest& request) {
     choose_materials(scene, plan);
     choose_fog(scene, plan);
     const std::vector<std::string> no_shadows = choose_shadows(scene, plan);
-    choose_background(plan);
     choose_environment(scene, plan);
+    leave_unasked_objects(scene, plan);
+    choose_background(plan);
     const bool sides = plan.two_sided && plan.frequency != ShadingFrequency::flat && plan.lighting.any;
     plan.finds_sides = sides && any_of(plan.lighting.surface) && (!plan.seen || plan.seen->any_turned);
-    plan.fragment_of_material = fragment_needs(plan);
+    plan.fragment_of_material = fragment_needs(scene, plan);
     plan.fragment = join(plan.fragment_of_material);
     plan.vertex = vertex_needs(plan);
     list_passes(scene, plan);

@@ -10,6 +10,8 @@
 #include "raster/fragments.hpp"
 #include "scene/instances.hpp"
 #include "scene/plan/light_reach.hpp"
+#include "scene/plan/lit_samples.hpp"
+#include "scene/plan/placed.hpp"
 #include "scene/plan/plan.hpp"
 #include "scene/sides.hpp"
 
@@ -17,17 +19,10 @@ namespace kreda::scene {
 
 namespace {
 
-/// The scene on the sample grid, as the passes "vertices" and "triangles" leave it.
-struct Placed {
-    std::vector<raster::MeshInstance> instances;
-    raster::VertexStreams streams;
-    raster::TriangleSet triangles;
-};
-
 Placed place(const Scene& scene, const RenderPlan& plan) {
     Placed placed;
     placed.instances = make_instances(scene);
-    const float aspect = static_cast<float>(scene.image.width) / static_cast<float>(scene.image.height);
+    const float aspect = raster::aspect_of(scene.image.width, scene.image.height);
     const glm::mat4 clip_from_world = raster::clip_from_world(scene.camera, aspect);
     lay_out_vertices(placed.instances, {.position_world = true, .normal_world = true}, placed.streams);
     transform_vertices(placed.instances, clip_from_world, plan.viewport, placed.streams);
@@ -49,10 +44,12 @@ struct TileLook {
     raster::TileVisibility visibility;
     raster::Run runs[raster::kTileSide * raster::kTileSide];
     std::vector<std::uint64_t> of_material, of_object;
+    std::vector<int> tile_of_material;  ///< a tile that shows it; -1: none did
 };
 
 /// Count the samples of a tile by what they show, and mark their triangles.
-void look_at_tile(const Placed& placed, const raster::TileArea& area, TileLook& look, Marks& marks) {
+void look_at_tile(const Placed& placed, const RenderPlan& plan, int tile, TileLook& look, Marks& marks) {
+    const raster::TileArea area = tile_area(placed.triangles.grid, plan.viewport, tile);
     if (!any_triangle_touches(placed.triangles, area)) return;
     rasterize_tile(placed.streams, placed.triangles, area, look.visibility);
     const int run_count = find_runs(look.visibility, area, placed.triangles, look.runs);
@@ -61,21 +58,29 @@ void look_at_tile(const Placed& placed, const raster::TileArea& area, TileLook& 
         const std::uint32_t chunk = run.triangle >> raster::kChunkShift;
         const std::uint32_t triangle = run.triangle & ((1u << raster::kChunkShift) - 1);
         look.of_material[run.material] += run.count;
+        look.tile_of_material[run.material] = tile;
         look.of_object[placed.triangles.chunks[chunk].instance] += run.count;
         std::atomic_ref<std::uint8_t>(marks[chunk][triangle]).store(1, std::memory_order_relaxed);
     }
 }
 
-void add_samples(const TileLook& look, Seen& seen) {
+/// What all threads saw together.
+struct Look {
+    Marks marks;
+    std::vector<int> tile_of_material;
+};
+
+void add_samples(const TileLook& look, Look& all, Seen& seen) {
     for (std::size_t m = 0; m < look.of_material.size(); ++m) {
+        all.tile_of_material[m] = std::max(all.tile_of_material[m], look.tile_of_material[m]);
         seen.of_material[m] += look.of_material[m];
         seen.covered += look.of_material[m];
     }
     for (std::size_t o = 0; o < look.of_object.size(); ++o) seen.objects[o].samples += look.of_object[o];
 }
 
-Marks look_at_samples(const Placed& placed, const RenderPlan& plan, Seen& seen) {
-    Marks marks = make_marks(placed.triangles);
+Look look_at_samples(const Placed& placed, const RenderPlan& plan, Seen& seen) {
+    Look all{make_marks(placed.triangles), std::vector<int>(seen.of_material.size(), -1)};
     const raster::TileGrid& grid = placed.triangles.grid;
     const int tile_count = grid.columns * grid.rows;
 #pragma omp parallel
@@ -83,12 +88,13 @@ Marks look_at_samples(const Placed& placed, const RenderPlan& plan, Seen& seen) 
         const auto look = std::make_unique<TileLook>();
         look->of_material.assign(seen.of_material.size(), 0);
         look->of_object.assign(seen.objects.size(), 0);
+        look->tile_of_material.assign(seen.of_material.size(), -1);
 #pragma omp for schedule(dynamic)
-        for (int t = 0; t < tile_count; ++t) look_at_tile(placed, tile_area(grid, plan.viewport, t), *look, marks);
+        for (int t = 0; t < tile_count; ++t) look_at_tile(placed, plan, t, *look, all.marks);
 #pragma omp critical
-        add_samples(*look, seen);
+        add_samples(*look, all, seen);
     }
-    return marks;
+    return all;
 }
 
 void add_counts(const raster::TriangleSet& set, Seen& seen) {
@@ -104,24 +110,46 @@ void add_counts(const raster::TriangleSet& set, Seen& seen) {
     }
 }
 
-/// A seen triangle where it is lit: whole, before any clipping.
+/// A seen triangle where it is lit: whole, before any clipping. Its normals are those of the side that is seen.
 LitTriangle lit_triangle(const Placed& placed, const RenderPlan& plan, const raster::TriangleChunk& chunk,
                          const raster::ScreenTriangle& triangle) {
     const raster::MeshInstance& instance = placed.instances[chunk.instance];
     const std::uint32_t* index = &instance.mesh->indices[3 * std::size_t{triangle.source - chunk.first_source}];
+    const float side = plan.two_sided && triangle.behind ? -1.0f : 1.0f;
     LitTriangle lit;
     for (std::size_t k = 0; k < 3; ++k) {
         lit.position[k] = placed.streams.position_world[instance.first_vertex + index[k]];
-        lit.normal[k] = placed.streams.normal_world[instance.first_vertex + index[k]];
+        lit.normal[k] = side * placed.streams.normal_world[instance.first_vertex + index[k]];
     }
-    if (plan.frequency == ShadingFrequency::flat) {
-        const bool mirrored = glm::determinant(glm::dmat3(instance.world_from_object)) < 0.0;
-        const glm::vec3 across = glm::cross(lit.position[1] - lit.position[0], lit.position[2] - lit.position[0]) *
-                                 (mirrored ? -1.0f : 1.0f);
-        lit.normal = {across, across, across};
-    }
-    lit.any_normal = plan.two_sided || reads_normal_map(plan.materials[triangle.material].material);
+    lit.any_normal = reads_normal_map(plan.materials[triangle.material].material);
     return lit;
+}
+
+/// The one point at which a triangle is lit that has one colour.
+glm::vec3 face_normal(const LitTriangle& triangle, const raster::MeshInstance& instance) {
+    const auto& [a, b, c] = triangle.position;
+    const glm::vec3 normal = glm::cross(b - a, c - a);
+    return raster::is_mirrored(glm::mat3(instance.world_from_object)) ? -normal : normal;
+}
+
+/// Does the light reach one of the points of a seen triangle at which it is lit? At samples: may it?
+bool reaches(const lighting::LightSetup& light, const Placed& placed, const RenderPlan& plan,
+             const raster::TriangleChunk& chunk, const raster::ScreenTriangle& triangle) {
+    const LitTriangle lit = lit_triangle(placed, plan, chunk, triangle);
+    const auto& [a, b, c] = lit.position;
+    switch (plan.frequency) {
+        case ShadingFrequency::phong: return may_reach(light, lit);
+        case ShadingFrequency::gouraud:
+            return reaches_point(light, a, lit.normal[0], lit.any_normal) ||
+                   reaches_point(light, b, lit.normal[1], lit.any_normal) ||
+                   reaches_point(light, c, lit.normal[2], lit.any_normal);
+        case ShadingFrequency::flat: {
+            const glm::vec3 n = face_normal(lit, placed.instances[chunk.instance]);
+            const bool turned = plan.two_sided && triangle.behind;
+            return reaches_point(light, (a + b + c) * (1.0f / 3.0f), turned ? -n : n, lit.any_normal);
+        }
+    }
+    return true;
 }
 
 Viewer viewer_of(const Scene& scene) {
@@ -129,31 +157,43 @@ Viewer viewer_of(const Scene& scene) {
             scene.camera.projection == raster::Projection::orthographic};
 }
 
-/// Ask the seen triangles what lights reach them. Soon every light has reached every material, and there is nothing
-/// left to ask.
-void look_at_triangles(const Scene& scene, const RenderPlan& plan, const Placed& placed, const Marks& marks,
-                       Seen& seen) {
-    std::vector<lighting::LightSetup> lights;
-    for (const lighting::Light& light : scene.lights) lights.push_back(prepare(light));
-    seen.reached.assign(lights.size(), std::vector<bool>(scene.materials.size(), false));
-    const Viewer viewer = viewer_of(scene);
-    const bool sides = plan.two_sided && plan.frequency != ShadingFrequency::flat;
+/// Call visit(chunk, triangle) for the triangles that some sample shows.
+template <class Visit>
+void for_each_marked(Placed& placed, const Marks& marks, Visit visit) {
     for (std::size_t c = 0; c < marks.size(); ++c) {
-        const raster::TriangleChunk& chunk = placed.triangles.chunks[c];
+        raster::TriangleChunk& chunk = placed.triangles.chunks[c];
         for (std::size_t t = 0; t < marks[c].size(); ++t) {
-            if (!marks[c][t]) continue;
-            const raster::ScreenTriangle& triangle = chunk.triangles[t];
-            const LitTriangle lit = lit_triangle(placed, plan, chunk, triangle);
-            for (std::size_t k = 0; k < lights.size(); ++k) {
-                if (seen.reached[k][triangle.material] || !scene.lights[k].on) continue;
-                seen.reached[k][triangle.material] = may_reach(lights[k], lit);
-            }
-            for (const glm::vec3& p : lit.position)
-                seen.farthest = std::max(seen.farthest, glm::length(p - viewer.eye));
-            if (!sides || seen.any_turned) continue;
-            seen.any_turned = find_side(placed.streams, viewer, triangle) != (triangle.behind != 0);
+            if (marks[c][t]) visit(chunk, chunk.triangles[t]);
         }
     }
+}
+
+/// Which side of the seen triangles is seen, as the pass "sides" finds it.
+void turn_sides(const Scene& scene, const RenderPlan& plan, const Marks& marks, Placed& placed, Seen& seen) {
+    if (!plan.two_sided || plan.frequency == ShadingFrequency::flat) return;
+    const Viewer viewer = viewer_of(scene);
+    for_each_marked(placed, marks, [&](const raster::TriangleChunk&, raster::ScreenTriangle& triangle) {
+        const bool behind = find_side(placed.streams, viewer, triangle);
+        seen.any_turned |= behind != (triangle.behind != 0);
+        triangle.behind = behind;
+    });
+}
+
+/// Ask the seen triangles what lights reach them. Soon every light has reached every material, and there is nothing
+/// left to ask.
+void look_at_triangles(const Scene& scene, const RenderPlan& plan, const Marks& marks, Placed& placed, Seen& seen) {
+    std::vector<lighting::LightSetup> lights;
+    for (const lighting::Light& light : scene.lights) lights.push_back(prepare(light));
+    for_each_marked(placed, marks, [&](const raster::TriangleChunk& chunk, const raster::ScreenTriangle& triangle) {
+        for (std::size_t k = 0; k < lights.size(); ++k) {
+            if (seen.reached[k][triangle.material] || !scene.lights[k].on) continue;
+            seen.reached[k][triangle.material] = reaches(lights[k], placed, plan, chunk, triangle);
+        }
+        for (const std::uint32_t v : triangle.vertex) {
+            seen.farthest = std::max(seen.farthest,
+                                     glm::length(placed.streams.position_world[v] - scene.camera.position));
+        }
+    });
 }
 
 }  // namespace
@@ -164,10 +204,14 @@ Seen look_at(const Scene& scene, const RenderPlan& plan) {
     seen.objects.resize(scene.objects.size());
     seen.reached.assign(scene.lights.size(), std::vector<bool>(scene.materials.size(), false));
     if (scene.objects.empty()) return seen;
-    const Placed placed = place(scene, plan);
-    const Marks marks = look_at_samples(placed, plan, seen);
+    Placed placed = place(scene, plan);
+    const Look look = look_at_samples(placed, plan, seen);
     add_counts(placed.triangles, seen);
-    look_at_triangles(scene, plan, placed, marks, seen);
+    turn_sides(scene, plan, look.marks, placed, seen);
+    look_at_triangles(scene, plan, look.marks, placed, seen);
+    if (plan.frequency == ShadingFrequency::phong) {
+        keep_what_reaches_samples(scene, plan, placed, look.tile_of_material, seen);
+    }
     return seen;
 }
 

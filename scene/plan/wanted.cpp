@@ -18,6 +18,7 @@ bool is_one_of(const View& view, Names names) {
 Wanted material_view(const View& view) {
     if (is_one_of(view, {"level"})) return {.maps = true};
     if (is_one_of(view, {"diffuse_map"})) return {.maps = true, .map_names = {"diffuse"}};
+    if (is_one_of(view, {"emission_map"})) return {.maps = true, .map_names = {"emission"}};
     if (is_one_of(view, {"normal_map"})) return {.maps = true, .map_names = {"normal"}};
     if (is_one_of(view, {"f0"})) return {.maps = true, .map_names = {"albedo", "metallic"}};
     return {.maps = true, .map_names = {view.name}};
@@ -38,7 +39,7 @@ Wanted lamp_view(const View& view) {
 Wanted wanted_of_view(const View& view) {
     if (is_one_of(view, {"depth", "position", "uv"})) return {};
     if (is_one_of(view, {"fog"})) return {.fog = true};
-    if (is_one_of(view, {"level", "diffuse_map", "normal_map", "albedo", "metallic", "roughness", "ao", "f0"}))
+    if (is_one_of(view, {"level", "diffuse_map", "emission_map", "normal_map", "albedo", "metallic", "roughness", "ao", "f0"}))
         return material_view(view);
     if (is_one_of(view, {"normal", "grain"})) return {.maps = true, .surface = true, .map_names = {"normal"}};
     if (is_one_of(view, {"to_viewer"})) return {.surface = true, .position = true};

@@ -69,21 +69,22 @@ int same_material(const std::vector<raster::ScreenTriangle>& triangles, int begi
     return static_cast<int>(std::find_if(first, end, is_other) - first);
 }
 
-/// Flat colours of one chunk of triangles.
+/// Flat colours of one chunk of triangles; only of materials that are seen.
 void light_chunk(const Frame& frame, const raster::TriangleChunk& chunk, std::vector<glm::vec3>& color,
                  TileScratch& scratch) {
     const int total = static_cast<int>(chunk.triangles.size());
     const float orientation = orientation_of(frame.buffers.instances[chunk.instance].world_from_object);
     for (int begin = 0, count = 0; begin < total; begin += count) {
         count = same_material(chunk.triangles, begin);
+        const std::uint32_t material = chunk.triangles[static_cast<std::size_t>(begin)].material;
+        if (!frame.plan.lighting.seen[material]) continue;
         for (int i = 0; i < count; ++i) {
             const raster::ScreenTriangle& triangle = chunk.triangles[begin + i];
             const bool behind = frame.plan.two_sided && triangle.behind;
             set_flat_point(frame.buffers, chunk, triangle, orientation, behind, i, scratch.fragments);
         }
         scratch.fragments.count = count;
-        shade_points(frame, scratch.fragments, chunk.triangles[static_cast<std::size_t>(begin)].material,
-                     scratch.lighting, scratch);
+        shade_points(frame, scratch.fragments, material, scratch.lighting, scratch);
         for (int i = 0; i < count; ++i) color[begin + i] = scratch.lighting.radiance.at(i);
     }
 }
@@ -195,9 +196,7 @@ void light_triangles(const PassWork& work) {
         scratch.clock.start();
 #pragma omp for schedule(dynamic)
         for (int i = 0; i < chunk_count; ++i) {
-            const raster::TriangleChunk& chunk = buffers.triangles.chunks[i];
-            const bool seen = !chunk.triangles.empty() && work.frame.plan.lighting.seen[chunk.triangles[0].material];
-            if (seen) light_chunk(work.frame, chunk, buffers.flat_color[i], scratch);
+            light_chunk(work.frame, buffers.triangles.chunks[i], buffers.flat_color[i], scratch);
             scratch.clock.lap(number);
         }
     }

@@ -3,6 +3,7 @@
 #include <cstring>
 #include <limits>
 #include <memory>
+#include <type_traits>
 
 #include "scene/render/tile_pass.hpp"
 
@@ -28,10 +29,12 @@ void fill(const Scene& scene, int channels, raster::Image& image) {
     std::fill(image.values.begin(), image.values.end(), kUnwritten);
 }
 
-void fill(raster::Channel3& channel) {
-    std::fill(std::begin(channel.x), std::end(channel.x), kUnwritten);
-    std::fill(std::begin(channel.y), std::end(channel.y), kUnwritten);
-    std::fill(std::begin(channel.z), std::end(channel.z), kUnwritten);
+/// The channels of a batch are numbers and nothing else.
+template <class Channels>
+void fill_channels(Channels& channels) {
+    static_assert(std::is_trivially_copyable_v<Channels> && sizeof(Channels) % sizeof(float) == 0);
+    std::vector<float> numbers(sizeof(Channels) / sizeof(float), kUnwritten);
+    std::memcpy(static_cast<void*>(&channels), numbers.data(), sizeof(Channels));
 }
 
 /// A frame's memory, everything that ends in the picture filled.
@@ -41,7 +44,9 @@ void fill(const Scene& scene, const RenderPlan& plan, scene::RenderBuffers& buff
     prepare_scratch(plan, *buffers.scratch[0]);
     fill(buffers.scratch[0]->color);
     for (scene::TileColor& view : buffers.scratch[0]->views) fill(view);
-    fill(buffers.scratch[0]->lighting.radiance);
+    fill_channels(buffers.scratch[0]->lighting);
+    fill_channels(buffers.scratch[0]->fragments);
+    std::fill(std::begin(buffers.scratch[0]->fragments.sample), std::end(buffers.scratch[0]->fragments.sample), 0u);
     if (plan.film) fill(scene, 3, buffers.film);
     buffers.views.resize(plan.views.size());
     for (std::size_t v = 0; v < plan.views.size(); ++v) fill(scene, plan.views[v]->components, buffers.views[v]);
@@ -78,7 +83,7 @@ void ablate(const Scene& scene, const scene::PlanRequest& request, const std::st
         if (plan.passes[p].bound.empty())
             report.useless.push_back(name + ": " + plan.passes[p].name);
         else
-            ++report.idle;
+            report.idle.push_back(name + ": " + plan.passes[p].name);
     }
     scene::PlanRequest all = request;
     all.prune = false;

@@ -12,7 +12,7 @@ namespace kreda::tests {
 /// What an ablation found, added up over scenes.
 struct AblationReport {
     int passes = 0;                    ///< that were left out, one at a time
-    int idle = 0;                      ///< of them: nothing changed, and the plan says why that may be
+    std::vector<std::string> idle;     ///< of them: nothing changed, and the plan says why that may be
     std::vector<std::string> useless;  ///< nothing changed, and the plan gives no reason
     std::vector<std::string> missing;  ///< the plan that leaves nothing out draws another picture
 };

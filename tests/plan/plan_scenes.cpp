@@ -53,6 +53,9 @@ void add_maps(Random& random, Material& material) {
     if (random.one_in(3)) maps.roughness.texture = random_texture(random, 1);
     if (random.one_in(3)) maps.ao.texture = random_texture(random, 1);
     if (random.one_in(3)) maps.normal.texture = random_texture(random, 3);
+    if (!random.one_in(4)) return;
+    maps.emission.texture = random_texture(random, 3);
+    if (random.one_in(2)) material.phong.emission = random.vector(0.1f, 0.4f);
 }
 
 Material random_material(Random& random, int number) {

@@ -14,10 +14,11 @@ namespace {
 void check(const AblationReport& report) {
     for (const std::string& pass : report.useless) MESSAGE("changes nothing: ", pass);
     for (const std::string& scene : report.missing) MESSAGE("something is missing: ", scene);
-    MESSAGE(report.passes, " passes left out, ", report.idle, " of them idle as the plan says they may be");
+    MESSAGE(report.passes, " passes left out, ", report.idle.size(), " of them idle as the plan says they may be");
     CHECK(report.useless.empty());
     CHECK(report.missing.empty());
-    CHECK(report.idle <= report.passes / 50);
+    for (const std::string& pass : report.idle) MESSAGE("idle: ", pass);
+    CHECK(static_cast<int>(report.idle.size()) <= report.passes / 50);
 }
 
 void ablate_films(std::uint32_t first, std::uint32_t count) {
@@ -35,8 +36,9 @@ void ablate_views(std::uint32_t first, std::uint32_t count) {
     for (std::uint32_t seed = first; seed < first + count; ++seed) {
         const scene::Scene scene = random_plan_scene(seed);
         const scene::RenderPlan all = make_plan_for(scene, scene::PlanRequest{.prune = false});
-        for (const scene::View& view : scene::all_views()) {
+        for (scene::View view : scene::all_views()) {
             if (!can_show(all, scene, view) || number++ % 4 != 0) continue;
+            if (view.value) view.background = -777.0f;  // no view holds it: so it shows where one was not written
             ablate(scene, {.views = {&view}, .film = false},
                    "scene " + std::to_string(seed) + ", " + std::string(view.name), report);
         }
@@ -50,11 +52,12 @@ TEST_CASE("every planned pass changes a bit of the film and nothing left out wou
     ablate_films(0, 60);
 }
 
-TEST_CASE("every planned pass changes a bit of the view that is asked for: 10 random scenes") {
-    ablate_views(1000, 10);
+TEST_CASE("every planned pass changes a bit of the view that is asked for: 40 random scenes") {
+    ablate_views(1000, 40);
 }
 
-TEST_CASE("long: every planned pass changes a bit of the film and nothing left out would have: 500 random scenes") {
+TEST_CASE("rare: every planned pass changes a bit of the film and nothing left out would have: 500 random scenes" *
+          doctest::skip()) {
     ablate_films(2000, 500);
 }
 
