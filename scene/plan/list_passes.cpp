@@ -50,7 +50,8 @@ void list_triangles(Listing& list) {
     const std::uint64_t count = list.counts.triangles;
     list.add(PassScope::frame, place_triangles, "triangles",
              "cull, clip and sort " + std::to_string(count) + " triangles into tiles", triangle_cost(list.counts))
-        .buffers = {{"triangles and bins, at most", count * (sizeof(raster::ScreenTriangle) + sizeof(std::uint16_t))}};
+        .buffers = {{list.plan.seen ? "triangles and bins" : "triangles and bins, at most",
+                     list.counts.drawn * (sizeof(raster::ScreenTriangle) + sizeof(std::uint16_t))}};
     if (!list.plan.finds_sides) return;
     list.add(PassScope::frame, find_sides, "sides",
              "shading.two_sided, and normals that contradict the winding: which side of a triangle is seen",
@@ -194,14 +195,13 @@ void list_lit_vertices(Listing& list) {
 void list_lit_triangles(Listing& list) {
     PlannedPass& pass = list_lit(list, PassScope::frame, light_triangles, "light triangles",
                                  "shading.frequency = \"flat\": what follows, once a triangle, at its centroid");
-    pass.buffers = {{"flat color", list.counts.triangles * sizeof(glm::vec3)}};
+    pass.buffers = {{"flat color", list.counts.drawn * sizeof(glm::vec3)}};
     if (list.plan.seen) pass.bound = kMayBeBlack;
 }
 
 void list_lit_samples(Listing& list) {
     list_lit(list, PassScope::batch, light_samples, "light pixels",
-             "shading.frequency = \"phong\": what follows, at every sample")
-        .buffers = {{"lighting channels of one batch, a thread", sizeof(lighting::LightingChannels)}};
+             "shading.frequency = \"phong\": what follows, at every sample");
 }
 
 /// Flat shading in clear air has nothing left to compute at a pixel.
@@ -239,8 +239,7 @@ void list_fog(Listing& list) {
 
 void list_visible(Listing& list) {
     list.add(PassScope::tile, find_nearest, "visibility", "which triangle is nearest, sample by sample",
-             visibility_cost(list.counts))
-        .buffers = {{"depth and triangle of one tile, a thread", sizeof(raster::TileVisibility)}};
+             visibility_cost(list.counts));
 }
 
 /// From the attributes of the visible samples to their radiance in the tile.
@@ -254,8 +253,7 @@ void list_batches(Listing& list) {
         const bool affine = list.plan.interpolation == raster::AttributeInterpolation::affine;
         list.add(PassScope::batch, interpolate, "interpolate",
                  std::string("attributes between the vertices, ") + (affine ? "affine" : "perspective-correct"),
-                 interpolation_cost(list.plan, list.counts))
-            .buffers = {{"fragments of one batch, a thread", sizeof(raster::Fragments)}};
+                 interpolation_cost(list.plan, list.counts));
         if (only_lamps_ask(list.plan)) list.passes.back().bound = kAsTheLights;
         if (list.plan.seen && list.plan.vertex.color) list.passes.back().bound = kMayBeBlack;
     }
@@ -269,6 +267,12 @@ void list_batches(Listing& list) {
     if (!list.plan.film) return;
     list.add(PassScope::batch, paint, "paint", "the radiance of a batch to its places in the tile",
              copy_cost(list.counts));
+}
+
+/// Depth and triangle of each sample, the runs of what is seen, and three numbers of colour.
+constexpr std::uint64_t bytes_of_tile() {
+    constexpr std::uint64_t kSamples = std::uint64_t{raster::kTileSide} * raster::kTileSide;
+    return sizeof(raster::TileVisibility) + kSamples * (sizeof(raster::Run) + 3 * sizeof(float));
 }
 
 std::vector<PlannedBuffer> view_buffers(const Listing& list, const View& view) {
@@ -303,6 +307,7 @@ void list_film(Listing& list) {
                  n == 1 ? "one sample a pixel" : "mean of " + std::to_string(n * n) + " samples a pixel",
                  film_cost(list.plan, list.counts));
     if (list.plan.film) pass.buffers = {{"linear RGB", list.counts.pixels * 3 * sizeof(float)}};
+    pass.buffers.push_back({"depth, triangles and colours of one tile, a thread", bytes_of_tile()});
 }
 
 void list_objects(Listing& list) {
@@ -316,7 +321,23 @@ void list_objects(Listing& list) {
     if (plan.frequency == ShadingFrequency::flat && plan.wanted.radiance) list_lit_triangles(list);
 }
 
+/// Memory of a thread, listed where the first pass is that needs it.
+void add_memory_of_threads(Listing& list) {
+    constexpr std::uint64_t kPoints = sizeof(raster::Fragments), kLight = sizeof(lighting::LightingChannels);
+    const auto first = std::find_if(list.passes.begin(), list.passes.end(), works_on_points);
+    const auto background = std::find_if(list.passes.begin(), list.passes.end(),
+                                         [](const PlannedPass& pass) { return pass.run == start_background; });
+    if (first != list.passes.end()) first->buffers.push_back({"points of one batch, a thread", kPoints});
+    const auto lit = list.plan.environment_background ? std::min(first, background) : first;
+    if (lit != list.passes.end()) lit->buffers.push_back({"lighting channels of one batch, a thread", kLight});
+}
+
 }  // namespace
+
+bool works_on_points(const PlannedPass& pass) {
+    return pass.scope == PassScope::batch || pass.scope == PassScope::points || pass.run == light_vertices ||
+           pass.run == light_triangles || pass.run == fog_vertices;
+}
 
 void list_passes(const Scene& scene, RenderPlan& plan) {
     Listing list{scene, plan, count(scene, plan), plan_baking(scene, plan.environment)};
@@ -331,6 +352,7 @@ void list_passes(const Scene& scene, RenderPlan& plan) {
     if (objects) list_batches(list);
     if (objects) list_views(list, false);
     list_film(list);
+    add_memory_of_threads(list);
     plan.passes = std::move(list.passes);
 }
 

@@ -82,10 +82,15 @@ PlanCounts count(const Scene& scene, const RenderPlan& plan) {
     for (const Object& object : scene.objects) {
         counts.vertices += object.mesh->positions.size();
         counts.triangles += object.mesh->triangle_count();
-        for (const int m : object.part_material) {
-            const lighting::Material& material = scene.materials[static_cast<std::size_t>(m)];
-            counts.dearest_reflection = std::max(counts.dearest_reflection, reflection_operations(material));
-        }
+    }
+    for (std::size_t m = 0; m < scene.materials.size(); ++m) {
+        if (!plan.lighting.seen[m]) continue;
+        counts.dearest_reflection = std::max(counts.dearest_reflection, reflection_operations(scene.materials[m]));
+    }
+    counts.drawn = counts.triangles;
+    if (plan.seen) {
+        counts.drawn = 0;
+        for (const SeenObject& object : plan.seen->objects) counts.drawn += object.triangles.drawn;
     }
     counts.samples = static_cast<std::uint64_t>(plan.viewport.width) * static_cast<std::uint64_t>(plan.viewport.height);
     counts.pixels = static_cast<std::uint64_t>(scene.image.width) * static_cast<std::uint64_t>(scene.image.height);

@@ -29,7 +29,7 @@ void for_each_batch(const PassWork& pass, int total, Work work) {
 #pragma omp for schedule(dynamic)
         for (int begin = 0; begin < total; begin += kBatchCapacity) {
             const int count = std::min(kBatchCapacity, total - begin);
-            scratch.fragments.count = count;
+            scratch.fragments->count = count;
             work(begin, count, scratch);
             scratch.clock.lap(number);
         }
@@ -55,9 +55,9 @@ void light_range(const PassWork& work, std::uint32_t material, std::uint32_t fir
                  std::vector<glm::vec3>& color) {
     for_each_batch(work, total, [&](int begin, int count, TileScratch& scratch) {
         const std::uint32_t from = first + static_cast<std::uint32_t>(begin);
-        set_vertex_points(work.frame, from, count, behind, scratch.fragments);
-        shade_points(work.frame, scratch.fragments, material, scratch.lighting, scratch);
-        for (int i = 0; i < count; ++i) color[from + i] = scratch.lighting.radiance.at(i);
+        set_vertex_points(work.frame, from, count, behind, *scratch.fragments);
+        shade_points(work.frame, *scratch.fragments, material, *scratch.lighting, scratch);
+        for (int i = 0; i < count; ++i) color[from + i] = scratch.lighting->radiance.at(i);
     });
 }
 
@@ -81,11 +81,11 @@ void light_chunk(const Frame& frame, const raster::TriangleChunk& chunk, std::ve
         for (int i = 0; i < count; ++i) {
             const raster::ScreenTriangle& triangle = chunk.triangles[begin + i];
             const bool behind = frame.plan.two_sided && triangle.behind;
-            set_flat_point(frame.buffers, chunk, triangle, orientation, behind, i, scratch.fragments);
+            set_flat_point(frame.buffers, chunk, triangle, orientation, behind, i, *scratch.fragments);
         }
-        scratch.fragments.count = count;
-        shade_points(frame, scratch.fragments, material, scratch.lighting, scratch);
-        for (int i = 0; i < count; ++i) color[begin + i] = scratch.lighting.radiance.at(i);
+        scratch.fragments->count = count;
+        shade_points(frame, *scratch.fragments, material, *scratch.lighting, scratch);
+        for (int i = 0; i < count; ++i) color[begin + i] = scratch.lighting->radiance.at(i);
     }
 }
 
@@ -180,9 +180,9 @@ void light_vertices(const PassWork& work) {
 void fog_vertices(const PassWork& work) {
     raster::VertexStreams& streams = work.frame.buffers.streams;
     for_each_batch(work, static_cast<int>(streams.fog.size()), [&](int begin, int count, TileScratch& scratch) {
-        for (int i = 0; i < count; ++i) scratch.fragments.position.set(i, streams.position_world[begin + i]);
-        lighting::fog_factors(scratch.fragments, work.frame.lighting, scratch.lighting);
-        for (int i = 0; i < count; ++i) streams.fog[begin + i] = scratch.lighting.fog.at(i);
+        for (int i = 0; i < count; ++i) scratch.fragments->position.set(i, streams.position_world[begin + i]);
+        lighting::fog_factors(*scratch.fragments, work.frame.lighting, *scratch.lighting);
+        for (int i = 0; i < count; ++i) streams.fog[begin + i] = scratch.lighting->fog.at(i);
     });
 }
 

@@ -4,6 +4,7 @@
 
 #include "raster/copy_past_cache.hpp"
 #include "raster/platform.hpp"
+#include "scene/plan/list_passes.hpp"
 #include "scene/plan/pass_functions.hpp"
 #include "scene/render/background.hpp"
 #include "scene/render/debug_pixel.hpp"
@@ -63,7 +64,7 @@ void start_color(const Frame& frame, const TileArea& area, TileScratch& scratch)
     }
     const ViewRays rays = view_rays(frame.scene.camera, frame.plan.viewport);
     float* const planes[3] = {scratch.color.plane[0], scratch.color.plane[1], scratch.color.plane[2]};
-    look_past_tile(rays, frame.lighting.environment, area, scratch.lighting.environment, planes);
+    look_past_tile(rays, frame.lighting.environment, area, scratch.lighting->environment, planes);
 }
 
 /// One pixel is the mean of its n x n samples, added row by row, left to right.
@@ -126,7 +127,7 @@ void walk_runs(const Frame& frame, const TileArea& area, std::span<const Planned
 
 void work_batch(const Frame& frame, const TileArea& area, std::span<const PlannedPass> passes, const Run* runs,
                 int count, TileScratch& scratch) {
-    scratch.fragments.count = samples_of(runs, count);
+    scratch.fragments->count = samples_of(runs, count);
     for (const PlannedPass& pass : passes) {
         if (pass.scope != PassScope::batch || !works_on(pass, runs[0].material)) continue;
         pass.run({frame, pass, scratch, area, runs, count, runs[0].material});
@@ -180,6 +181,11 @@ void render_tiles(const Frame& frame) {
 }
 
 void prepare_scratch(const RenderPlan& plan, TileScratch& scratch) {
+    const bool points = std::any_of(plan.passes.begin(), plan.passes.end(), works_on_points);
+    if (points && !scratch.fragments) scratch.fragments = std::make_unique<raster::Fragments>();
+    if ((points || plan.environment_background) && !scratch.lighting) {
+        scratch.lighting = std::make_unique<lighting::LightingChannels>();
+    }
     scratch.clock.clear(plan.passes.size());
     scratch.samples_shaded = 0;
     scratch.color_is_background = false;

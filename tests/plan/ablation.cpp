@@ -44,9 +44,11 @@ void fill(const Scene& scene, const RenderPlan& plan, scene::RenderBuffers& buff
     prepare_scratch(plan, *buffers.scratch[0]);
     fill(buffers.scratch[0]->color);
     for (scene::TileColor& view : buffers.scratch[0]->views) fill(view);
-    fill_channels(buffers.scratch[0]->lighting);
-    fill_channels(buffers.scratch[0]->fragments);
-    std::fill(std::begin(buffers.scratch[0]->fragments.sample), std::end(buffers.scratch[0]->fragments.sample), 0u);
+    if (lighting::LightingChannels* const channels = buffers.scratch[0]->lighting.get()) fill_channels(*channels);
+    if (raster::Fragments* const points = buffers.scratch[0]->fragments.get()) {
+        fill_channels(*points);
+        std::fill(std::begin(points->sample), std::end(points->sample), 0u);
+    }
     if (plan.film) fill(scene, 3, buffers.film);
     buffers.views.resize(plan.views.size());
     for (std::size_t v = 0; v < plan.views.size(); ++v) fill(scene, plan.views[v]->components, buffers.views[v]);

@@ -138,7 +138,7 @@ SampleFacts look_at_sample(const Frame& frame, int x, int y) {
     const raster::Run run{static_cast<std::uint16_t>(x - area.x), static_cast<std::uint16_t>(y - area.y), 1,
                           sample.seen().triangle.material, sample.seen().id};
     work_batch(frame, area, find_batch_passes(frame.tile_passes), &run, 1, *sample.passes);
-    sample.radiance = sample.passes->lighting.radiance.at(0);
+    sample.radiance = sample.passes->lighting->radiance.at(0);
     return sample;
 }
 
