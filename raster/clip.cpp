@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include <glm/common.hpp>
 #include <glm/geometric.hpp>
 
 #include "raster/convex_polygon.hpp"
@@ -41,6 +42,16 @@ ClipVertex rounded(const Corner& corner, float guard_x, float guard_y, FarSide s
     return {p, glm::vec3(corner.weights)};
 }
 
+/// Do all corners lie clearly beyond the plane? Then nothing is left of the triangle; most that are clipped are such.
+bool lies_beyond(const Polygon& triangle, const glm::dvec4& plane) {
+    constexpr double kClear = 1e-9;  // rounding moves no corner that is cut as far as that
+    const auto is_beyond = [&](const glm::dvec4& p) {
+        return glm::dot(plane, p) < -kClear * glm::dot(glm::abs(plane), glm::abs(p));
+    };
+    return is_beyond(triangle.corner[0].position) && is_beyond(triangle.corner[1].position) &&
+           is_beyond(triangle.corner[2].position);
+}
+
 bool all_finite(const glm::vec4& v) {
     return is_finite(v.x) && is_finite(v.y) && is_finite(v.z) && is_finite(v.w);
 }
@@ -55,10 +66,14 @@ ClipPolygon clip_triangle(const glm::vec4& a, const glm::vec4& b, const glm::vec
     polygon.corner[1] = {b, {0.0, 1.0, 0.0}};
     polygon.corner[2] = {c, {0.0, 0.0, 1.0}};
     polygon.count = 3;
-    polygon = clip_by_plane(polygon, {0.0, 0.0, 1.0, 1.0});  // near first: afterwards w > 0
-    polygon = clip_by_plane(polygon, {0.0, 0.0, -1.0, 1.0}, side == FarSide::before);
+    const glm::dvec4 near(0.0, 0.0, 1.0, 1.0), far(0.0, 0.0, -1.0, 1.0);
     const std::array<glm::dvec4, 4> sides = {glm::dvec4(1.0, 0.0, 0.0, guard_x), glm::dvec4(-1.0, 0.0, 0.0, guard_x),
                                              glm::dvec4(0.0, 1.0, 0.0, guard_y), glm::dvec4(0.0, -1.0, 0.0, guard_y)};
+    const auto is_past = [&](const glm::dvec4& plane) { return lies_beyond(polygon, plane); };
+    if (is_past(near) || (side == FarSide::before && is_past(far))) return {};
+    if (std::any_of(sides.begin(), sides.end(), is_past)) return {};
+    polygon = clip_by_plane(polygon, near);  // near first: afterwards w > 0
+    polygon = clip_by_plane(polygon, far, side == FarSide::before);
     for (const glm::dvec4& plane : sides) polygon = clip_by_plane(polygon, plane);
     if (polygon.count < 3) return {};
 

@@ -2,6 +2,7 @@
 
 #include <nlohmann/json.hpp>
 
+#include "scene/plan/left_out.hpp"
 #include "scene/plan/plan_cost.hpp"
 
 namespace kreda::tools {
@@ -37,10 +38,32 @@ Json json_of(const scene::PlannedPass& pass) {
     return json;
 }
 
+/// The first step: what is seen, found from the meshes alone, and the materials whose maps are read for it.
+Json json_of_seen(const scene::Scene& scene, const scene::RenderPlan& plan) {
+    Json json = {{"samples", plan.seen->covered}};
+    json["objects"] = Json::array();
+    for (std::size_t o = 0; o < scene.objects.size(); ++o) {
+        const scene::SeenObject& object = plan.seen->objects[o];
+        json["objects"].push_back({{"name", name_of_object(scene, o)},
+                                   {"samples", object.samples},
+                                   {"triangles", object.triangles.input},
+                                   {"drawn", object.triangles.drawn}});
+        if (object.samples == 0) json["objects"].back()["why_unseen"] = scene::why_unseen(object.triangles);
+    }
+    json["materials"] = Json::array();
+    for (std::size_t m = 0; m < scene.materials.size(); ++m) {
+        json["materials"].push_back({{"name", scene.materials[m].name},
+                                     {"samples", plan.seen->of_material[m]},
+                                     {"maps_read", plan.lighting.maps[m] == true}});
+    }
+    return json;
+}
+
 }  // namespace
 
-std::string plan_json(const scene::RenderPlan& plan) {
+std::string plan_json(const scene::Scene& scene, const scene::RenderPlan& plan) {
     Json json;
+    if (plan.seen) json["seen"] = json_of_seen(scene, plan);
     json["passes"] = Json::array();
     for (const scene::PlannedPass& pass : plan.passes) json["passes"].push_back(json_of(pass));
     json["left_out"] = Json::array();

@@ -3,7 +3,6 @@
 #include <algorithm>
 
 #include "raster/platform.hpp"
-#include "scene/map_meshes.hpp"
 #include "scene/plan/environment_plan.hpp"
 #include "scene/plan/left_out.hpp"
 #include "scene/plan/list_passes.hpp"
@@ -24,7 +23,7 @@ raster::CullMode cull_mode(Cull cull) {
 
 /// Lamps shine pi times as bright on the older models' diffuse as on the same albedo: said where both are seen.
 void note_two_scales(const Scene& scene, RenderPlan& plan) {
-    const std::vector<bool> visible = visible_materials(scene);
+    const MaterialMask& visible = plan.lighting.seen;
     const std::string *per_pi = nullptr, *plain = nullptr;
     for (std::size_t m = 0; m < scene.materials.size(); ++m) {
         const lighting::ReflectionModel model = scene.materials[m].model;
@@ -157,8 +156,8 @@ void choose_background(RenderPlan& plan) {
         const bool is_depth = !view->value;  // where nothing is drawn, the depth buffer says so itself
         return (has_gaps(plan) && (!is_depth || !plan.draws_objects)) || !is_written_everywhere(plan, *view);
     };
-    plan.shows_background = (plan.film && has_gaps(plan)) ||
-                            std::any_of(plan.views.begin(), plan.views.end(), needs_background);
+    plan.shows_background =
+        (plan.film && has_gaps(plan)) || std::any_of(plan.views.begin(), plan.views.end(), needs_background);
 }
 
 void choose_environment(const Scene& scene, RenderPlan& plan) {

@@ -57,7 +57,8 @@ double reflection_operations(const lighting::Material& material) {
         case ReflectionModel::lambert: return kPositiveDot + 3.0 + kAddUp;
         case ReflectionModel::phong:
             return kPositiveDot + 3.0 + 12.0 + kPositiveDot + kPowOperations + kPositiveDot + 4.0 + kAddUp;
-        case ReflectionModel::blinn_phong:
+        case ReflectionModel::blinn_phong:  // h is the same everywhere for parallel light and a parallel projection,
+                                            // and yet found at every point: one loop for all, 14 operations of 111
             return kPositiveDot + 3.0 + kHalfVector + kPositiveDot + kPowOperations + kPositiveDot + 4.0 + kAddUp;
         case ReflectionModel::ward:
             return 3.0 * kPositiveDot + kHalfVector + 13.0 + kExpOperations + 15.0 + 7.0 + kAddUp;

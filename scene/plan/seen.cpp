@@ -190,8 +190,8 @@ void look_at_triangles(const Scene& scene, const RenderPlan& plan, const Marks& 
             seen.reached[k][triangle.material] = reaches(lights[k], placed, plan, chunk, triangle);
         }
         for (const std::uint32_t v : triangle.vertex) {
-            seen.farthest = std::max(seen.farthest,
-                                     glm::length(placed.streams.position_world[v] - scene.camera.position));
+            seen.farthest =
+                std::max(seen.farthest, glm::length(placed.streams.position_world[v] - scene.camera.position));
         }
     });
 }

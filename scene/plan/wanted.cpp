@@ -39,7 +39,8 @@ Wanted lamp_view(const View& view) {
 Wanted wanted_of_view(const View& view) {
     if (is_one_of(view, {"depth", "position", "uv"})) return {};
     if (is_one_of(view, {"fog"})) return {.fog = true};
-    if (is_one_of(view, {"level", "diffuse_map", "emission_map", "normal_map", "albedo", "metallic", "roughness", "ao", "f0"}))
+    if (is_one_of(view, {"level", "diffuse_map", "emission_map", "normal_map", "albedo", "metallic", "roughness", "ao",
+                         "f0"}))
         return material_view(view);
     if (is_one_of(view, {"normal", "grain"})) return {.maps = true, .surface = true, .map_names = {"normal"}};
     if (is_one_of(view, {"to_viewer"})) return {.surface = true, .position = true};

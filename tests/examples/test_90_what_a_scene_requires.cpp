@@ -74,6 +74,15 @@ TEST_CASE("90_what_a_scene_requires: a pass that was left out would not have cha
     CHECK(total_operations(make_plan(off)) < total_operations(make_plan(clear)));
 }
 
+TEST_CASE("90_what_a_scene_requires: pruned and not pruned the picture is the same") {
+    const raster::Image picture = golden("90_what_a_scene_requires/pruned.png");
+    int differ = 0;
+    for (int y = 0; y < 136; ++y) {
+        for (int x = 2; x < 158; ++x) differ += picture.rgb(x, y) != picture.rgb(x + 160, y) ? 1 : 0;
+    }
+    CHECK(differ == 0);
+}
+
 TEST_CASE("90_what_a_scene_requires: light is computed in one place only") {
     using lighting::ReflectionModel;
     using scene::ShadingFrequency;

@@ -69,6 +69,76 @@ TEST_CASE("plan --json: the passes of the text, in order, with bytes and costs, 
     CHECK(film.at("cost").at("count") == 48 * 32);
 }
 
+TEST_CASE("plan and its JSON say what is seen first and which maps are read for it") {
+    const std::string behind = "[[object]]\nmesh = \"cube\"\ntranslate = [0, 0, 20]\n";
+    const Outcome text = run_with(behind, {"plan", "--quiet", "--why-not"});
+    CHECK(
+        holds(text.out, "seen, found from the meshes alone: 1 of 2 objects, 1 of 2 materials; the maps of 0 of them"));
+    CHECK(holds(text.out, "none of its 12 triangles is seen: "));
+    const nlohmann::json seen = nlohmann::json::parse(run_with(behind, {"plan", "--quiet", "--json"}).out).at("seen");
+    CHECK(seen.at("objects").at(0).at("samples") == seen.at("samples"));
+    CHECK(seen.at("objects").at(1).at("samples") == 0);
+    CHECK(seen.at("objects").at(1).contains("why_unseen"));
+}
+
+/// Names of the planned passes of the ball with more in its file.
+std::string passes_with(const std::string& more, std::vector<std::string> args = {}) {
+    args.insert(args.begin(), {"plan", "--quiet", "--json"});
+    std::string names;
+    const Outcome outcome = run_with(more, args);
+    REQUIRE(outcome.exit_code == 0);
+    for (const auto& pass : nlohmann::json::parse(outcome.out).at("passes")) {
+        names += pass.at("name").get<std::string>() + "; ";
+    }
+    return names;
+}
+
+TEST_CASE("what changes no bit of a picture has no pass: lights off and unlit and unseen and weighed with 0") {
+    const std::string lamp = "[[light]]\nshadow = true\n", sky = "[environment]\nsky = \"studio\"\n";
+    CHECK_FALSE(holds(passes_with(lamp + "on = false\n"), "light 1"));
+    const std::string unlit = passes_with(lamp, {"--set", "material.clay.model=unlit", "--set", "light.0.shadow=true"});
+    CHECK_FALSE(holds(unlit, "shadow map"));
+    CHECK_FALSE(holds(unlit, "light 0"));
+    CHECK(holds(passes_with(sky), "bake irradiance"));
+    CHECK_FALSE(holds(passes_with(sky + "intensity = 0\n"), "bake"));
+    const std::string behind = "[[object]]\nmesh = \"sphere\"\ntranslate = [0, 0, 20]\nmaterial = \"gold\"\n";
+    const std::string gold = "[[material]]\nname = \"gold\"\nmodel = \"cook_torrance\"\n";
+    CHECK_FALSE(holds(passes_with(sky + gold + behind), "bake prefiltered levels"));
+    const std::string before =
+        "[[object]]\nmesh = \"sphere\"\nmaterial = \"gold\"\ntranslate = [0, 0, 1]\n"
+        "scale = 1.5\n";
+    CHECK(holds(passes_with(sky + gold + before), "bake prefiltered levels"));
+    CHECK_FALSE(holds(passes_with(sky + gold + "ao = 0\n" + before), "bake prefiltered levels"));
+    CHECK_FALSE(holds(passes_with(sky + gold + "metallic = 1\n" + before), "bake irradiance"));
+}
+
+TEST_CASE("roughness 0 alone bakes the sharp levels of the environment") {
+    const std::string mirror =
+        "[environment]\nsky = \"studio\"\n[[material]]\nname = \"mirror\"\nroughness = 0\n"
+        "model = \"cook_torrance\"\n[[object]]\nmesh = \"sphere\"\nmaterial = \"mirror\"\n"
+        "translate = [0, 0, 1]\nscale = 1.5\n";
+    const auto json = nlohmann::json::parse(run_with(mirror, {"plan", "--quiet", "--json"}).out);
+    for (const auto& pass : json.at("passes")) {
+        if (pass.at("name") == "bake prefiltered levels") CHECK(holds(pass.at("reason"), "levels 0 to 1"));
+    }
+}
+
+TEST_CASE("a map that no seen material reads is not decoded: a broken one is not noticed") {
+    const std::string worn =
+        "[[material]]\nname = \"far\"\ndiffuse_map = \"broken.png\"\n"
+        "[[object]]\nmesh = \"sphere\"\nmaterial = \"far\"\n";
+    const auto outcome_at = [&](const std::string& place) {
+        const TempFolder folder;
+        folder.write("ball.toml", kBall + worn + "translate = " + place + "\n");
+        folder.write("broken.png", "no picture at all");
+        return run_kreda({"render", "ball.toml", "--quiet", "-o", "a.png"}, folder.path.string());
+    };
+    CHECK(outcome_at("[0, 0, 20]").exit_code == 0);
+    const Outcome seen = outcome_at("[0, 0, 1]");
+    CHECK(seen.exit_code != 0);
+    CHECK(holds(seen.err, "broken.png"));
+}
+
 TEST_CASE("plan and render --time name the same passes in the same order") {
     const Outcome plan = run_with("", {"plan", "--json"});
     const Outcome time = run_with("", {"render", "--time"});
