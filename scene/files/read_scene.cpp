@@ -132,12 +132,12 @@ shadows::ShadowSettings read_shadow(const Value& table, ShadingFrequency frequen
 void warn_of_unworn(const Value& root, Scene& scene) {
     const Value* tables = find(root, "material");
     if (!tables) return;
+    std::vector<bool> worn(scene.materials.size(), false);
+    for (const Object& object : scene.objects) {
+        for (const int m : object.part_material) worn[static_cast<std::size_t>(m)] = true;
+    }
     for (std::size_t m = 0; m < tables->items.size(); ++m) {
-        const auto wears = [&](const Object& object) {
-            return std::find(object.part_material.begin(), object.part_material.end(), static_cast<int>(m)) !=
-                   object.part_material.end();
-        };
-        if (std::any_of(scene.objects.begin(), scene.objects.end(), wears)) continue;
+        if (worn[m]) continue;
         const std::string name = in_quotes(scene.materials[m].name, '"');
         scene.warnings.push_back(UserError(place_of(tables->items[m], "name"), "no object wears the material " + name +
                                                                                    "; write material = " + name +

@@ -43,13 +43,20 @@ void add_frequencies(const RenderPlan& plan, LeftOutList& list) {
     list.add(!plan.finds_sides, "sides", why_no_sides(plan));
 }
 
-std::string worn_by(const Scene& scene, std::size_t material) {
-    std::string names;
+/// Who wears each of the materials, by name.
+std::vector<std::string> find_wearers(const Scene& scene) {
+    std::vector<std::string> wearers(scene.materials.size());
     for (std::size_t o = 0; o < scene.objects.size(); ++o) {
-        const std::vector<int>& worn = scene.objects[o].part_material;
-        if (std::find(worn.begin(), worn.end(), static_cast<int>(material)) == worn.end()) continue;
-        names += (names.empty() ? "" : ", ") + name_of_object(scene, o);
+        const std::string name = name_of_object(scene, o);
+        for (const int m : scene.objects[o].part_material) {
+            std::string& names = wearers[static_cast<std::size_t>(m)];
+            if (!names.ends_with(name)) names += (names.empty() ? "" : ", ") + name;
+        }
     }
+    return wearers;
+}
+
+std::string worn_by(const std::string& names) {
     return names.empty() ? "worn by nothing" : "worn by " + names + ", of which nothing is seen";
 }
 
@@ -61,8 +68,9 @@ void add_unseen(const Scene& scene, const RenderPlan& plan, LeftOutList& list) {
                  "none of its " + std::to_string(scene.objects[o].mesh->triangle_count()) +
                      " triangles is seen: " + why_unseen(object.triangles));
     }
+    const std::vector<std::string> wearers = find_wearers(scene);
     for (std::size_t m = 0; m < scene.materials.size(); ++m) {
-        list.add(!plan.lighting.seen[m], "material " + scene.materials[m].name, worn_by(scene, m));
+        list.add(!plan.lighting.seen[m], "material " + scene.materials[m].name, worn_by(wearers[m]));
     }
 }
 

@@ -87,7 +87,8 @@ std::string passes_with(const std::string& more, std::vector<std::string> args =
     std::string names;
     const Outcome outcome = run_with(more, args);
     REQUIRE(outcome.exit_code == 0);
-    for (const auto& pass : nlohmann::json::parse(outcome.out).at("passes")) {
+    const nlohmann::json json = nlohmann::json::parse(outcome.out);
+    for (const auto& pass : json.at("passes")) {
         names += pass.at("name").get<std::string>() + "; ";
     }
     return names;
@@ -144,7 +145,8 @@ TEST_CASE("plan and render --time name the same passes in the same order") {
     const Outcome time = run_with("", {"render", "--time"});
     REQUIRE(time.exit_code == 0);
     std::vector<std::string> planned, measured;
-    for (const auto& pass : nlohmann::json::parse(plan.out).at("passes")) planned.push_back(pass.at("name"));
+    const auto json = nlohmann::json::parse(plan.out);
+    for (const auto& pass : json.at("passes")) planned.push_back(pass.at("name"));
     const auto stages = nlohmann::ordered_json::parse(time.out).at("stages");
     for (const auto& stage : stages.items()) measured.push_back(stage.key());
     CHECK(planned == measured);
