@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include <glm/common.hpp>
 #include <glm/geometric.hpp>
 
 #include "raster/convex_polygon.hpp"
@@ -41,6 +42,13 @@ ClipVertex rounded(const Corner& corner, float guard_x, float guard_y, FarSide s
     return {p, glm::vec3(corner.weights)};
 }
 
+/// Does the corner lie clearly beyond the plane: farther than rounding could move what is cut?
+bool is_beyond(const glm::vec4& corner, const glm::dvec4& plane) {
+    constexpr double kClear = 1e-9;
+    const glm::dvec4 p(corner);
+    return glm::dot(plane, p) < -kClear * glm::dot(glm::abs(plane), glm::abs(p));
+}
+
 bool all_finite(const glm::vec4& v) {
     return is_finite(v.x) && is_finite(v.y) && is_finite(v.z) && is_finite(v.w);
 }
@@ -50,15 +58,23 @@ bool all_finite(const glm::vec4& v) {
 ClipPolygon clip_triangle(const glm::vec4& a, const glm::vec4& b, const glm::vec4& c, float guard_x, float guard_y,
                           FarSide side) {
     if (!all_finite(a) || !all_finite(b) || !all_finite(c)) return {};
+    const glm::dvec4 near(0.0, 0.0, 1.0, 1.0), far(0.0, 0.0, -1.0, 1.0);
+    const std::array<glm::dvec4, 4> sides = {glm::dvec4(1.0, 0.0, 0.0, guard_x), glm::dvec4(-1.0, 0.0, 0.0, guard_x),
+                                             glm::dvec4(0.0, 1.0, 0.0, guard_y), glm::dvec4(0.0, -1.0, 0.0, guard_y)};
+    // Most triangles that come here lie wholly beyond one plane.
+    const auto all_beyond = [&](const glm::dvec4& plane) {
+        return is_beyond(a, plane) && is_beyond(b, plane) && is_beyond(c, plane);
+    };
+    if (all_beyond(near) || (side == FarSide::before && all_beyond(far))) return {};
+    if (std::any_of(sides.begin(), sides.end(), all_beyond)) return {};
+
     Polygon polygon;
     polygon.corner[0] = {a, {1.0, 0.0, 0.0}};
     polygon.corner[1] = {b, {0.0, 1.0, 0.0}};
     polygon.corner[2] = {c, {0.0, 0.0, 1.0}};
     polygon.count = 3;
-    polygon = clip_by_plane(polygon, {0.0, 0.0, 1.0, 1.0});  // near first: afterwards w > 0
-    polygon = clip_by_plane(polygon, {0.0, 0.0, -1.0, 1.0}, side == FarSide::before);
-    const std::array<glm::dvec4, 4> sides = {glm::dvec4(1.0, 0.0, 0.0, guard_x), glm::dvec4(-1.0, 0.0, 0.0, guard_x),
-                                             glm::dvec4(0.0, 1.0, 0.0, guard_y), glm::dvec4(0.0, -1.0, 0.0, guard_y)};
+    polygon = clip_by_plane(polygon, near);  // near first: afterwards w > 0
+    polygon = clip_by_plane(polygon, far, side == FarSide::before);
     for (const glm::dvec4& plane : sides) polygon = clip_by_plane(polygon, plane);
     if (polygon.count < 3) return {};
 

@@ -5,6 +5,7 @@
 #include "raster/clip.hpp"
 #include "raster/convex_polygon.hpp"
 #include "raster/judge_lanes.hpp"
+#include "raster/outside_view.hpp"
 #include "raster/scalar_math.hpp"
 
 namespace kreda::raster {
@@ -24,6 +25,7 @@ struct ChunkTask {
     std::uint32_t first_triangle = 0;  ///< in the mesh, whatever their parts
     std::uint32_t triangle_count = 0;
     std::uint32_t first_source = 0;  ///< number of the instance's first triangle over all instances
+    bool outside = false;            ///< the whole instance lies beyond the view
 };
 
 struct SetupInput {
@@ -133,9 +135,15 @@ void list_chunk(const ChunkTask& task, const MeshInstance& instance, const Setup
     for (auto part = first_part; part != parts.end() && part->first_triangle < last; ++part) {
         const auto p = static_cast<std::size_t>(part - parts.begin());
         if (!instance.part_hidden.empty() && instance.part_hidden[p]) continue;
-        list_triangles(std::max(part->first_triangle, first),
-                       std::min(part->first_triangle + part->triangle_count, last), instance.part_material[p],
-                       task.first_source, instance, input, grid, streams, list, counts, pending);
+        const std::uint32_t begin = std::max(part->first_triangle, first);
+        const std::uint32_t end = std::min(part->first_triangle + part->triangle_count, last);
+        if (task.outside) {
+            counts.input += end - begin;
+            counts.outside += end - begin;
+            continue;
+        }
+        list_triangles(begin, end, instance.part_material[p], task.first_source, instance, input, grid, streams, list,
+                       counts, pending);
     }
 }
 
@@ -244,13 +252,15 @@ void start_chunk(const ChunkTask& task, TriangleChunk& chunk) {
 }
 
 /// Cut all instances into chunks.
-std::vector<ChunkTask> make_tasks(const std::vector<MeshInstance>& instances) {
+std::vector<ChunkTask> make_tasks(const std::vector<MeshInstance>& instances, const glm::mat4& clip_from_world,
+                                  const Viewport& viewport) {
     std::vector<ChunkTask> tasks;
     std::uint32_t source = 0;
     for (std::uint32_t i = 0; i < instances.size(); ++i) {
         const std::uint32_t triangles = instances[i].mesh->triangle_count();
+        const bool outside = lies_outside(instances[i], clip_from_world, viewport);
         for (std::uint32_t begin = 0; begin < triangles; begin += kTrianglesPerChunk) {
-            tasks.push_back({i, begin, std::min(kTrianglesPerChunk, triangles - begin), source});
+            tasks.push_back({i, begin, std::min(kTrianglesPerChunk, triangles - begin), source, outside});
         }
         source += triangles;
     }
@@ -290,7 +300,7 @@ TriangleCounts setup_triangles(const std::vector<MeshInstance>& instances, const
         const bool mirrored = is_mirrored(glm::mat3(instances[task.instance].world_from_object));
         return SetupInput{clip_from_world, viewport, cull_mode_for(cull, mirrored), mirrored};
     };
-    const std::vector<ChunkTask> tasks = make_tasks(instances);
+    const std::vector<ChunkTask> tasks = make_tasks(instances, clip_from_world, viewport);
     const int chunk_count = static_cast<int>(tasks.size());
     set.grid = make_tile_grid(viewport, samples);
     set.chunks.resize(tasks.size());

@@ -42,7 +42,7 @@ light_size = 0.1                 # how wide the sun is, seen from distance 1
 name = "glaze"
 model = "cook_torrance"          # try "lambert", "phong", "blinn_phong" (three times as bright: docs/21_lambert.md)
 albedo = [0.04, 0.28, 0.36]      # c, which cook_torrance reads
-diffuse = [0.04, 0.28, 0.36]     # m_D, which the others read
+# diffuse = [0.04, 0.28, 0.36]   # m_D: instead of albedo where the model is one of the others
 roughness = 0.2
 
 [[material]]

@@ -63,7 +63,7 @@ bool serves(const PreparedEnvironment& prepared, const EnvironmentSettings& sett
         settings.reference > 0 && !prepared.maps.prefiltered.empty() && prepared.maps.light.size == 0;
     const bool same_sky = settings.image || prepared.sky == settings.sky;
     return prepared.image == settings.image && same_sky && prepared.samples == settings.samples &&
-           prepared.needs == needs && !lacks_table;
+           covers(prepared.needs, needs) && !lacks_table;
 }
 
 lighting::EnvironmentSetup environment_setup(const EnvironmentSettings& settings, const PreparedEnvironment& prepared) {

@@ -62,7 +62,7 @@ struct PreparedEnvironment {
 /// Where its light comes from, once level 0 is there, if environment.reference asks for it.
 void add_light_table(const EnvironmentSettings& settings, lighting::EnvironmentMaps& maps);
 
-/// Were these maps made for this environment and these needs?
+/// Were these maps made for this environment, and do they hold what is needed?
 [[nodiscard]] bool serves(const PreparedEnvironment& prepared, const EnvironmentSettings& settings,
                           const lighting::EnvironmentNeeds& needs);
 

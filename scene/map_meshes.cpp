@@ -10,13 +10,6 @@ namespace kreda::scene {
 
 namespace {
 
-bool has_maps(const lighting::Material& material) {
-    return std::ranges::any_of(lighting::map_uses(), [&](const lighting::MapUse& use) {
-        const lighting::Map& map = material.maps.*use.map;
-        return reads_map(material.model, use) && (map.texture || !map.file.empty());
-    });
-}
-
 bool is_visible(const Object& object, std::size_t part) {
     return object.part_hidden.empty() || !object.part_hidden[part];
 }
@@ -59,7 +52,7 @@ void drop_maps_without_uv(Scene& scene) {
         if (!object.mesh->uvs.empty()) continue;
         for (std::size_t part = 0; part < object.part_material.size(); ++part) {
             const int material = object.part_material[part];
-            if (!is_visible(object, part) || !has_maps(scene.materials[static_cast<std::size_t>(material)])) continue;
+            if (!is_visible(object, part) || !reads_maps(scene.materials[static_cast<std::size_t>(material)])) continue;
             const auto [plain, is_new] = plain_of.try_emplace(material, static_cast<int>(scene.materials.size()));
             if (is_new) {
                 lighting::Material copy = scene.materials[static_cast<std::size_t>(material)];

@@ -9,6 +9,7 @@
 #include <glm/geometric.hpp>
 #include <nlohmann/json.hpp>
 
+#include "scene/files/mesh_file.hpp"
 #include "scene/files/scene_keys.hpp"
 
 namespace kreda::tools {
@@ -82,8 +83,8 @@ bool is_mesh_file(const std::string& path) {
     return extension == ".obj";
 }
 
-std::string scene_around_mesh(const std::string& path, const scene::MeshFileOptions& options) {
-    const Ball ball = ball_around(load_mesh_file(path, options).mesh, path);
+std::string scene_around_mesh(const std::string& path, const raster::Mesh& mesh) {
+    const Ball ball = ball_around(mesh, path);
     const double half_fov = glm::radians(0.5 * kVerticalFovDeg);
     const double distance = 1.05 * ball.radius / std::sin(half_fov);
     const glm::dvec3 to_camera = glm::normalize(glm::dvec3(0.45, 0.35, 1.0));
@@ -99,6 +100,15 @@ std::string scene_around_mesh(const std::string& path, const scene::MeshFileOpti
     text += "[[light]]\ndirection = [-1.0, -0.2, -0.4]\ncolor = [0.5, 0.65, 1]\nintensity = 0.3\n";
     text += "[[object]]\nmesh = " + string_text(std::filesystem::absolute(path).string()) + "\n" + ball.placement;
     return text;
+}
+
+scene::Scene read_scene_around_mesh(const std::string& path, const scene::ReadOptions& read) {
+    const scene::MeshFileOptions options{scene::Normals::file, read.allow_outside};
+    scene::ReadOptions with_mesh = read;
+    with_mesh.ready_path = std::filesystem::absolute(path).lexically_normal().string();
+    with_mesh.ready = std::make_shared<scene::LoadedMesh>(load_mesh_file(path, options));
+    const std::string text = scene_around_mesh(path, with_mesh.ready->mesh);
+    return scene::read_scene_text(text, "scene around " + path, "", with_mesh);
 }
 
 }  // namespace kreda::tools

@@ -167,10 +167,15 @@ void write_slide(const std::string& path, const RenderOptions& options, const sc
     std::cerr << "wrote " << path << " (a slide of " << kSlideWidth << " x " << kSlideHeight << ")\n";
 }
 
-scene::Scene load(const RenderOptions& options) {
-    scene::Scene scene = load_scene(options.scene);
-    if (!options.slides.empty()) fit_to_slide(scene.image);
-    return scene;
+bool is_black(const raster::Image& film) {
+    return std::all_of(film.values.begin(), film.values.end(), [](float value) { return value == 0.0f; });
+}
+
+/// What leads to the view alone; a light's shadow map is found on the way to the picture.
+scene::PlanRequest request_for(const scene::View* view) {
+    if (!view) return {};
+    if (is_light_depth(view)) return {.prune = false};
+    return {.views = {view}, .film = false};
 }
 
 void check_view(const scene::RenderPlan& plan, const scene::Scene& scene, const scene::View& view) {
@@ -197,15 +202,20 @@ void render_command(const RenderOptions& options) {
     check_output(path);
     check_slides(options, path);
     const scene::View* view = chosen_view(options.view);
-    scene::Scene scene = load(options);
-    const scene::RenderPlan plan = view && !is_light_depth(view) ? make_plan(scene, {view}) : make_plan(scene);
-    if (view) check_view(plan, scene, *view);
-    bake_scene(scene, options.cache);
+    auto [scene, plan] = load_and_plan(options.scene, request_for(view), [&](scene::Scene& loaded) {
+        if (!options.slides.empty()) fit_to_slide(loaded.image);
+    });
+    if (view) check_view(make_plan_for(scene, scene::PlanRequest{.prune = false}), scene, *view);
+    bake_scene(scene, plan.environment, options.cache);
     scene::RenderBuffers buffers;
     TimeReport report;
     for (int i = 0; i < options.repeat; ++i) report.frames.push_back(render(scene, plan, buffers, options.threads));
     const std::uint64_t dropped = report.frames.back().triangles.non_finite;
     if (dropped > 0) warn(std::to_string(dropped) + " triangles were dropped: a corner is not a finite number");
+    if (plan.film && plan.draws_objects && is_black(buffers.film)) {
+        warn_of_scene({"the picture is black; what is seen needs a light that is on, ambient light or emission"},
+                      options.scene);
+    }
     if (!options.slides.empty())
         write_slide(path, options, view, buffers, scene);
     else if (view)

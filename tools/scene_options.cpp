@@ -7,7 +7,9 @@
 #include <CLI/CLI.hpp>
 
 #include "scene/error.hpp"
+#include "scene/files/load_maps.hpp"
 #include "scene/files/mesh_file.hpp"
+#include "scene/plan/plan_warnings.hpp"
 #include "tools/mesh_scene.hpp"
 #include "tools/stages/stage.hpp"
 
@@ -60,6 +62,8 @@ void add_scene_options(CLI::App& command, SceneOptions& options) {
     command.add_option("--samples", options.samples, "N x N samples a pixel (antialiasing)")
         ->type_name("N")
         ->check(CLI::Range(1, 8));
+    command.add_flag("--quiet", options.quiet, "Print no warnings");
+    command.add_flag("--strict", options.strict, "A warning is an error: nothing is written (for grading)");
     command.add_option("--light", options.light, "With light.I alone, as if all others were off")
         ->type_name("I")
         ->check(CLI::Range(0, 1000000));
@@ -80,18 +84,44 @@ scene::Scene load_scene(const SceneOptions& given) {
         if (options.file.empty()) {
             return scene::read_scene_text(scene::built_in_scene_text(), "built-in scene", "", options.read);
         }
-        if (is_mesh_file(options.file)) {
-            const std::string text =
-                scene_around_mesh(options.file, {scene::Normals::file, options.read.allow_outside});
-            return scene::read_scene_text(text, "scene around " + options.file, "", options.read);
-        }
+        if (is_mesh_file(options.file)) return read_scene_around_mesh(options.file, options.read);
         const std::string other = scene::other_format(options.file);
         if (!other.empty()) throw scene::UserError(scene::Place{options.file}, other);
         return scene::read_scene(options.file, options.read);
     };
     const scene::Scene scene = read();
-    for (const std::string& warning : scene.warnings) warn(warning);
+    warn_of_scene(scene.warnings, options);
     return options.light < 0 ? scene : with_light_alone(scene, options.light);
+}
+
+void warn_of_scene(const std::vector<std::string>& warnings, const SceneOptions& options) {
+    for (const std::string& warning : warnings) {
+        if (!options.quiet) warn(warning);
+    }
+    if (!options.strict || warnings.empty()) return;
+    throw scene::UserError("--strict: " + std::to_string(warnings.size()) +
+                           (warnings.size() == 1 ? " warning is an error" : " warnings are errors") +
+                           (options.quiet ? ": " + warnings.front() : ""));
+}
+
+PlannedScene load_and_plan(const SceneOptions& given, const scene::PlanRequest& request,
+                           const std::function<void(scene::Scene&)>& adapt) {
+    SceneOptions options = given;
+    options.read.maps_later = request.views.empty() || !wanted_of(request).maps;
+    PlannedScene loaded{load_scene(options), {}};
+    loaded.scene.warnings.clear();  // they are printed
+    adapt(loaded.scene);
+    const scene::LoadingPlan loading = plan_loading(loaded.scene, request);
+    load_maps(loaded.scene, loading.maps);
+    scene::PlanRequest with_seen = request;
+    with_seen.seen = &loading.seen;
+    loaded.plan = make_plan_for(loaded.scene, with_seen);
+    const std::string file = loaded.scene.file.empty() ? "" : loaded.scene.file + ": ";
+    for (const std::string& warning : plan_warnings(loaded.scene, loaded.plan)) {
+        loaded.scene.warnings.push_back(file + warning);
+    }
+    warn_of_scene(loaded.scene.warnings, options);
+    return loaded;
 }
 
 void warn(const std::string& message) {

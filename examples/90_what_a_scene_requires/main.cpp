@@ -78,6 +78,45 @@ void draw_cell(Image& picture, const scene::RenderPlan& plan, const scene::Plann
     fill_rectangle(picture, left, middle - height / 2, length, height, operations > 0.0 ? kOrange : kBlue);
 }
 
+/// A ball in front of the camera, and what nobody sees of it: a dear ball behind the camera, a lamp of intensity 0, one
+/// that shines on backs alone, fog of density 0.
+scene::Scene crowded_scene(glm::ivec2 size) {
+    scene::Scene scene = make_scene(size, lighting::ReflectionModel::phong, scene::ShadingFrequency::phong);
+    scene.lights[0].shadow = true;
+    add_shape(scene, "sphere", 64, {0.0f, 1.0f, 9.0f}, microfacet(kOrange, 0.0f, 0.3f));
+    scene.lights.push_back(point_light({0.0f, 2.0f, 2.0f}, 0.0f));
+    scene.lights.push_back(directional_light({0.0f, 0.2f, 1.0f}));
+    for (std::size_t k = 2; k < 4; ++k) scene.lights[k].shadow = true;
+    scene.fog.mode = lighting::FogMode::exp;
+    scene.fog.density = 0.0f;
+    return scene;
+}
+
+/// The same picture by the plan that leaves nothing out and by the one that does, and what each of them takes.
+void draw_pruned(const Options& options) {
+    const int scale = text_scale(options.height), half = options.width / 2, bottom = 44 * scale;
+    const scene::Scene scene = crowded_scene({half - 4, options.height - bottom});
+    Image picture = make_board(options.width, options.height);
+    for (const bool prune : {false, true}) {
+        const scene::RenderPlan plan = make_plan_for(scene, scene::PlanRequest{.prune = prune});
+        scene::RenderBuffers buffers;
+        const scene::RenderStatistics statistics = render(scene, plan, buffers);
+        const int x = prune ? half + 2 : 2, y = options.height - bottom + 4 * scale;
+        paste(picture, buffers.film, x, 0);
+        char line[64];
+        std::snprintf(line, sizeof line, "%zu passes", plan.passes.size());
+        draw_text(picture, x, y, std::string(prune ? "what is seen: " : "everything: ") + line, kYellow, scale);
+        std::snprintf(line, sizeof line, "%.1f million operations", 1e-6 * total_operations(plan));
+        draw_text(picture, x, y + 12 * scale, line, kChalk, scale);
+        std::snprintf(line, sizeof line, "%.1f MB", 1e-6 * static_cast<double>(total_bytes(plan)));
+        draw_text(picture, x, y + 24 * scale, line, kChalk, scale);
+        std::printf("%-12s %2zu passes, %6.2f million operations, %8llu bytes, %.2f ms\n",
+                    prune ? "what is seen" : "everything", plan.passes.size(), 1e-6 * total_operations(plan),
+                    static_cast<unsigned long long>(total_bytes(plan)), statistics.times.total_ms);
+    }
+    save(options, "pruned", picture);
+}
+
 void draw(const Options& options) {
     const int scale = text_scale(options.height), left = 100 * options.width / 320, top = options.height * 5 / 18;
     const int column = (options.width - left) / 5, row = (options.height - top) / static_cast<int>(kPasses.size());
@@ -101,6 +140,7 @@ void draw(const Options& options) {
                     1e-6 * total_operations(plan), static_cast<unsigned long long>(total_bytes(plan)));
     }
     save(options, "plans", picture);
+    draw_pruned(options);
 }
 
 }  // namespace

@@ -1,5 +1,6 @@
 #include "lighting/batch/maps.hpp"
 
+#include <algorithm>
 #include <array>
 
 #include "lighting/normal_map.hpp"
@@ -72,6 +73,16 @@ bool reads_map(ReflectionModel model, const MapUse& use) {
     if (use.kind == MapKind::normal) return model != ReflectionModel::unlit;
     const bool is_empirical = use.map == &MaterialMaps::diffuse;
     return is_empirical == (model != ReflectionModel::cook_torrance);
+}
+
+bool reads_maps(const Material& material) {
+    return std::ranges::any_of(map_uses(), [&](const MapUse& use) {
+        return reads_map(material.model, use) && is_given(material.maps.*use.map);
+    });
+}
+
+bool reads_normal_map(const Material& material) {
+    return material.model != ReflectionModel::unlit && is_given(material.maps.normal);
 }
 
 MaterialMaps maps_in_use(const Material& material) {

@@ -33,6 +33,15 @@ struct MapUse {
 /// Whether a model reads a map. One that it does not read is never looked at, nor loaded.
 [[nodiscard]] bool reads_map(ReflectionModel model, const MapUse& use);
 
+/// Is there such a map: its texels, or a file that they will be read from?
+[[nodiscard]] inline bool is_given(const Map& map) {
+    return map.texture != nullptr || !map.file.empty();
+}
+
+/// Does the material's model read a map that is given? One that bends normals?
+[[nodiscard]] bool reads_maps(const Material& material);
+[[nodiscard]] bool reads_normal_map(const Material& material);
+
 /// The maps that the material's model reads and whose texels are there; the others are empty.
 [[nodiscard]] MaterialMaps maps_in_use(const Material& material);
 

@@ -55,9 +55,7 @@ BakeCost brdf_cost(std::size_t maps) {
 }
 
 std::vector<double> bake_work(int size, const EnvironmentNeeds& needs, int samples) {
-    PrefilterSettings settings;
-    settings.samples = samples;
-    return {needs.blurred ? prefilter_cost(size, settings).operations() : 0.0,
+    return {needs.blurred ? prefilter_cost(size, prefilter_settings(needs, samples)).operations() : 0.0,
             needs.irradiance ? irradiance_cost(size, needs.form).operations() : 0.0,
             brdf_cost(needs.brdf.size()).operations()};
 }

@@ -27,8 +27,10 @@ struct BrdfKind {
 
 /// What a scene asks of its environment.
 struct EnvironmentNeeds {
-    bool mirror = false;      ///< radiance by direction: background, reference
-    bool blurred = false;     ///< specular reflection by the split sum
+    bool mirror = false;   ///< radiance by direction: background, reference
+    bool blurred = false;  ///< specular reflection by the split sum
+    int first_level = 0;   ///< of the blurred levels, those that some roughness reads; see prefilter.hpp
+    int last_level = kPrefilterLevels - 1;
     bool irradiance = false;  ///< diffuse reflection by the split sum
     IrradianceForm form = IrradianceForm::map;
     std::vector<BrdfKind> brdf;  ///< one for each kind of specular material, each once
@@ -54,6 +56,12 @@ struct EnvironmentMaps {
 /// `samples`: of the roughest level (PrefilterSettings).
 [[nodiscard]] EnvironmentMaps bake_environment(const CubeMap& radiance, const EnvironmentNeeds& needs, int samples,
                                                const Progress& progress = {});
+
+/// How the levels of the prefiltered map are baked for these needs.
+[[nodiscard]] PrefilterSettings prefilter_settings(const EnvironmentNeeds& needs, int samples);
+
+/// Do maps that were baked for some needs hold what others ask for?
+[[nodiscard]] bool covers(const EnvironmentNeeds& baked, const EnvironmentNeeds& needs);
 
 /// The map of a kind, or nullptr.
 [[nodiscard]] const BrdfMap* find_brdf(const EnvironmentMaps& maps, const BrdfKind& kind);

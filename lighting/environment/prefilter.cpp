@@ -101,6 +101,7 @@ void filter_chunk(const CubeMap& radiance, const std::vector<LobeSample>& sample
 CubeMap mirror_and_room(const CubeMap& radiance, const PrefilterSettings& settings) {
     const int size = radiance.levels[0].size;
     CubeMap map = make_cube_map(prefilter_sizes(size, settings));
+    if (map.levels[0].size != size) return map;  // nobody asks for the mirror
     const std::size_t mirror = std::size_t(4) * kCubeFaces * std::size_t(size + 2) * std::size_t(size + 2);
     std::copy_n(radiance.texels.begin(), mirror, map.texels.begin());
     return map;
@@ -109,9 +110,11 @@ CubeMap mirror_and_room(const CubeMap& radiance, const PrefilterSettings& settin
 }  // namespace
 
 std::vector<int> prefilter_sizes(int size, const PrefilterSettings& settings) {
-    std::vector<int> sizes{size};
-    for (int level = 1; settings.blurred && level < kPrefilterLevels; ++level) {
-        sizes.push_back(std::min({size, settings.largest_blurred, 8 << (kPrefilterLevels - 1 - level)}));
+    if (!settings.blurred) return {size};
+    std::vector<int> sizes{settings.mirror || settings.first_level == 0 ? size : 1};
+    for (int level = 1; level <= settings.last_level; ++level) {
+        const int blurred = std::min({size, settings.largest_blurred, 8 << (kPrefilterLevels - 1 - level)});
+        sizes.push_back(level < settings.first_level ? 1 : blurred);
     }
     return sizes;
 }

@@ -33,6 +33,9 @@ struct PrefilterSettings {
     int samples = 2048;  ///< at roughness 1; a level takes samples x alpha, at least 32: a narrow lobe has less to miss
     int largest_blurred = 256;  ///< texels a side of level 1 at most
     bool blurred = true;        ///< false: the mirror alone (nothing but a background needs it)
+    bool mirror = true;         ///< level 0 is looked at by itself, too
+    int first_level = 0;        ///< of those that some roughness reads: what lies before is one texel a side,
+    int last_level = kPrefilterLevels - 1;  ///< and what lies behind this one is not there
 };
 
 /// Texels a side of each level, for an environment of `size` texels a side; and the samples that a level takes.
@@ -40,9 +43,9 @@ struct PrefilterSettings {
 /// Samples of a level: in proportion to its alpha, 32 at least.
 [[nodiscard]] int samples_of_level(const PrefilterSettings& settings, int level);
 
-/// Level 0 copies level 0 of `radiance`; a level of alpha is 8 / alpha texels a side, or less where those two are
-/// smaller. Samples are read from the mip level of `radiance` whose texels are as large as the sample's share of the
-/// lobe,
+/// Level 0 copies level 0 of `radiance` (where it is wanted); a level of alpha is 8 / alpha texels a side, or less
+/// where those two are smaller. Samples are read from the mip level of `radiance` whose texels are as large as the
+/// sample's share of the lobe,
 ///   lod = log2(w_s / w_p) / 2,   w_s = 1 / (N p),   p = D / 4,   w_p = 4 pi / (6 size^2)       Krivanek & Colbert 2008
 /// so that a small sun makes no fireflies. `radiance` must have all its mip levels.
 [[nodiscard]] CubeMap prefilter(const CubeMap& radiance, const PrefilterSettings& settings,

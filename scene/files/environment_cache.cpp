@@ -76,8 +76,7 @@ class Cache {
 public:
     Cache(const EnvironmentSettings& settings, const EnvironmentNeeds& needs, std::string folder)
         : folder_(std::move(folder)), cube_size_(environment_size(settings)) {
-        prefilter_.samples = settings.samples;
-        prefilter_.blurred = needs.blurred;
+        prefilter_ = prefilter_settings(needs, settings.samples);
         if (needs.any()) source_ = source_text(settings) + ", formulas " + hash_text(hash_of_formulas());
     }
 

@@ -180,13 +180,12 @@ raster::Image normals_of_bump(const std::string& path, const lighting::MaterialM
 
 /// Calls visit(material, use, map) for every map that must come from a file.
 template <class Visit>
-void for_each_wanted(Scene& scene, Visit visit) {
-    const std::vector<bool> visible = visible_materials(scene);
+void for_each_wanted(Scene& scene, const std::vector<bool>& materials, Visit visit) {
     for (std::size_t m = 0; m < scene.materials.size(); ++m) {
         lighting::Material& material = scene.materials[m];
         for (const lighting::MapUse& use : lighting::map_uses()) {
             lighting::Map& map = material.maps.*use.map;
-            const bool is_wanted = visible[m] && reads_map(material.model, use) && !map.file.empty() && !map.texture;
+            const bool is_wanted = materials[m] && reads_map(material.model, use) && !map.file.empty() && !map.texture;
             if (is_wanted) visit(material, use, map);
         }
     }
@@ -200,14 +199,15 @@ std::shared_ptr<const raster::Texture> load_texture(const std::string& path, Map
     return std::make_shared<raster::Texture>(raster::make_texture(decoded, with_pyramid));
 }
 
-void load_maps(Scene& scene) {
-    drop_maps_without_uv(scene);
+void load_maps(Scene& scene, const std::vector<bool>& materials) {
     WantedFiles files;
-    for_each_wanted(scene, [&](const lighting::Material& material, const lighting::MapUse& use, lighting::Map&) {
-        Wanted& wanted = files[way_of(material.maps, use)];
-        wanted.with_pyramid |= material.maps.filter == lighting::TextureFilter::trilinear;
-    });
-    for_each_wanted(scene, [&](const lighting::Material& material, const lighting::MapUse& use, lighting::Map& map) {
+    for_each_wanted(scene, materials,
+                    [&](const lighting::Material& material, const lighting::MapUse& use, lighting::Map&) {
+                        Wanted& wanted = files[way_of(material.maps, use)];
+                        wanted.with_pyramid |= material.maps.filter == lighting::TextureFilter::trilinear;
+                    });
+    for_each_wanted(scene, materials, [&](const lighting::Material& material, const lighting::MapUse& use,
+                                          lighting::Map& map) {
         Wanted& wanted = files[way_of(material.maps, use)];
         const bool is_height = use.kind == MapKind::normal && material.maps.normal_from_height;
         if (!wanted.texture && is_height) {

@@ -20,8 +20,9 @@ namespace kreda::scene {
                                                                   bool with_pyramid,
                                                                   std::vector<std::string>& warnings);
 
-/// Load the maps that visible materials read, each file once, and give meshes the tangents that normal maps need.
-/// Files that no visible part needs are not touched. Texels that are there already stay.
-void load_maps(Scene& scene);
+/// Load the maps that these materials (by number) read, each file once, and give meshes the tangents that normal maps
+/// need. Other files are not touched. Texels that are there already stay. After drop_maps_without_uv(). Warnings go to
+/// scene.warnings. Throws UserError.
+void load_maps(Scene& scene, const std::vector<bool>& materials);
 
 }  // namespace kreda::scene

@@ -8,6 +8,7 @@
 #include "lighting/spectrum.hpp"
 #include "scene/files/key_tables.hpp"
 #include "scene/files/read_maps.hpp"
+#include "scene/files/unread_keys.hpp"
 
 namespace kreda::scene {
 
@@ -80,6 +81,8 @@ void read_materials(const Value& tables, const std::string& folder, Scene& scene
             const std::string what = "there is already a material " + in_quotes(material.name);
             throw UserError(place_of(table, "name"), what + "; each [[material]] needs its own name");
         }
+        const std::vector<std::string> unread = unread_keys(table, material);
+        scene.warnings.insert(scene.warnings.end(), unread.begin(), unread.end());
         scene.materials.push_back(material);
     }
 }

@@ -61,7 +61,9 @@ raster::Mesh built_in_mesh(const Value& table, const ObjectTable& read, int deta
 }
 
 SharedMesh ObjectReader::load_file(const std::string& path, Normals normals, const std::optional<float>& crease) {
-    LoadedMesh loaded = load_mesh_file(path, {normals, options.allow_outside, crease});
+    const bool is_ready = options.ready && path == options.ready_path && normals == Normals::file && !crease;
+    LoadedMesh loaded =
+        is_ready ? std::move(*options.ready) : load_mesh_file(path, {normals, options.allow_outside, crease});
     const SharedMesh shared{std::make_shared<const raster::Mesh>(std::move(loaded.mesh)),
                             static_cast<int>(scene.materials.size())};
     scene.warnings.insert(scene.warnings.end(), loaded.warnings.begin(), loaded.warnings.end());

@@ -20,6 +20,8 @@
 #include "scene/files/read_materials.hpp"
 #include "scene/files/read_objects.hpp"
 #include "scene/files/toml_check.hpp"
+#include "scene/files/unread_keys.hpp"
+#include "scene/map_meshes.hpp"
 #include "scene/shadow_warnings.hpp"
 #include "scene/view_warnings.hpp"
 
@@ -137,6 +139,24 @@ shadows::ShadowSettings read_shadow(const Value& table, ShadingFrequency frequen
     return shadow;
 }
 
+/// A [[material]] that no object wears.
+void warn_of_unworn(const Value& root, Scene& scene) {
+    const Value* tables = find(root, "material");
+    if (!tables) return;
+    std::vector<bool> worn(scene.materials.size(), false);
+    for (const Object& object : scene.objects) {
+        for (const int m : object.part_material) worn[static_cast<std::size_t>(m)] = true;
+    }
+    for (std::size_t m = 0; m < tables->items.size(); ++m) {
+        if (worn[m]) continue;
+        const std::string name = in_quotes(scene.materials[m].name, '"');
+        scene.warnings.push_back(UserError(place_of(tables->items[m], "name"), "no object wears the material " + name +
+                                                                                   "; write material = " + name +
+                                                                                   " in an [[object]], or remove it")
+                                     .what());
+    }
+}
+
 Scene build_scene(const Value& root, const std::string& name, const std::string& folder, const ReadOptions& options) {
     Scene scene;
     scene.file = name;
@@ -158,8 +178,11 @@ Scene build_scene(const Value& root, const std::string& name, const std::string&
     if (const Value* table = find(root, "fog")) read_keys(*table, fog_keys(), scene.fog);
     if (const Value* tables = find(root, "material")) read_materials(*tables, folder, scene);
     read_objects(root, folder, options, placements, scene);
+    warn_of_unworn(root, scene);
     place_scene(placements, scene);
-    load_maps(scene);
+    drop_maps_without_uv(scene);
+    if (!options.maps_later) load_maps(scene, visible_materials(scene));
+    for (const std::string& warning : byte_colors(root)) scene.warnings.push_back(warning);
     for (const std::string& warning : shadow_warnings(scene)) scene.warnings.push_back(name + ": " + warning);
     for (const std::string& warning : view_warnings(scene)) scene.warnings.push_back(name + ": " + warning);
     return scene;

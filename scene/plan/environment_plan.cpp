@@ -2,25 +2,33 @@
 
 #include <algorithm>
 
-#include "scene/map_meshes.hpp"
+#include "lighting/batch/maps.hpp"
 #include "scene/plan/pass_functions.hpp"
 
 namespace kreda::scene {
 
 namespace {
 
-/// Is any visible material of this kind?
-template <class Test>
-bool any_visible(const Scene& scene, Test test) {
-    const std::vector<bool> visible = visible_materials(scene);
-    for (std::size_t m = 0; m < scene.materials.size(); ++m) {
-        if (visible[m] && test(scene.materials[m])) return true;
-    }
-    return false;
-}
-
 bool is_microfacet(const lighting::Material& material) {
     return material.model == lighting::ReflectionModel::cook_torrance;
+}
+
+/// Metals reflect nothing diffusely, but for what bounces between their facets.
+bool reflects_diffusely(const lighting::Material& material) {
+    const lighting::CookTorranceMaterial& m = material.cook_torrance;
+    return !is_microfacet(material) || m.metallic != 1.0f || is_given(material.maps.metallic) ||
+           m.energy_compensation == lighting::EnergyCompensation::kulla_conty;
+}
+
+/// The levels of the prefiltered map that a material reads: two that follow each other, all where a map says how rough.
+struct Levels {
+    int first = 0, last = lighting::kPrefilterLevels - 1;
+};
+Levels levels_read(const lighting::Material& material) {
+    if (is_given(material.maps.roughness)) return {};
+    const float alpha = lighting::alpha_from_roughness(material.cook_torrance.roughness);
+    const int level = static_cast<int>(lighting::level_of_alpha(alpha));
+    return {level, std::min(level + 1, lighting::kPrefilterLevels - 1)};
 }
 
 /// Why the environment itself is needed as a cube map.
@@ -34,25 +42,36 @@ std::string why_cube(const Scene& scene, const lighting::EnvironmentNeeds& needs
 
 }  // namespace
 
-lighting::EnvironmentNeeds environment_needs(const Scene& scene) {
+lighting::EnvironmentNeeds environment_needs(const Scene& scene, const MaterialMask& lit, bool background,
+                                             bool all_levels) {
     lighting::EnvironmentNeeds needs;
-    if (!scene.environment.on) return needs;
-    const bool lights = any_visible(scene, [](const auto& m) { return m.model != lighting::ReflectionModel::unlit; });
-    const bool shines = any_visible(scene, is_microfacet);
     const bool split_sum = scene.environment.reference == 0;
-    needs.mirror = scene.image.environment_background || (lights && !split_sum);
-    needs.irradiance = lights && split_sum;
-    needs.blurred = shines && split_sum;
-    needs.form = needs.irradiance ? scene.environment.irradiance : lighting::IrradianceForm::map;
-    if (!needs.blurred) return needs;
-    const std::vector<bool> visible = visible_materials(scene);
+    needs.mirror = background || (any_of(lit) && !split_sum);
+    if (!split_sum) return needs;
+    int first = lighting::kPrefilterLevels, last = 0;
     for (std::size_t m = 0; m < scene.materials.size(); ++m) {
-        const lighting::CookTorranceMaterial& material = scene.materials[m].cook_torrance;
-        const lighting::BrdfKind kind{material.distribution, material.geometry};
-        const bool known = std::find(needs.brdf.begin(), needs.brdf.end(), kind) != needs.brdf.end();
-        if (visible[m] && is_microfacet(scene.materials[m]) && !known) needs.brdf.push_back(kind);
+        if (!lit[m]) continue;
+        const lighting::Material& material = scene.materials[m];
+        needs.irradiance |= all_levels || reflects_diffusely(material);
+        if (!is_microfacet(material)) continue;
+        const Levels levels = levels_read(material);
+        first = std::min(first, levels.first);
+        last = std::max(last, levels.last);
+        const lighting::BrdfKind kind{material.cook_torrance.distribution, material.cook_torrance.geometry};
+        if (std::find(needs.brdf.begin(), needs.brdf.end(), kind) == needs.brdf.end()) needs.brdf.push_back(kind);
     }
+    needs.blurred = !needs.brdf.empty();
+    if (needs.blurred && !all_levels) {
+        needs.first_level = first;
+        needs.last_level = last;
+    }
+    needs.form = needs.irradiance ? scene.environment.irradiance : lighting::IrradianceForm::map;
     return needs;
+}
+
+lighting::EnvironmentNeeds environment_needs(const Scene& scene) {
+    const LightingChoices all = choose_lighting(scene, nullptr, wanted_of({}));
+    return environment_needs(scene, all.environment, scene.environment.on && scene.image.environment_background, true);
 }
 
 std::vector<PlannedPass> plan_baking(const Scene& scene, const lighting::EnvironmentNeeds& needs) {
@@ -66,9 +85,7 @@ std::vector<PlannedPass> plan_baking(const Scene& scene, const lighting::Environ
     };
     bake(bake_cube, "environment", why_cube(scene, needs), "cube map with its mip levels, while baking", "directions",
          environment_cost(scene.environment));
-    lighting::PrefilterSettings prefilter;
-    prefilter.samples = scene.environment.samples;
-    prefilter.blurred = needs.blurred;
+    const lighting::PrefilterSettings prefilter = prefilter_settings(needs, scene.environment.samples);
     if (needs.mirror && !needs.blurred) {
         passes.back().buffers.push_back({"cube map", lighting::prefilter_cost(size, prefilter).bytes});
     }
@@ -78,7 +95,8 @@ std::vector<PlannedPass> plan_baking(const Scene& scene, const lighting::Environ
     }
     if (needs.blurred) {
         bake(bake_levels, "prefiltered levels",
-             "a cook_torrance material reflects the environment, " + std::to_string(scene.environment.samples) +
+             "a cook_torrance material reflects the environment: levels " + std::to_string(needs.first_level) + " to " +
+                 std::to_string(needs.last_level) + " of its roughness, " + std::to_string(scene.environment.samples) +
                  " samples at roughness 1",
              "levels of a cube map", "samples of the texels", lighting::prefilter_cost(size, prefilter));
     }

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 
-#include "scene/map_meshes.hpp"
 #include "scene/plan/environment_plan.hpp"
 #include "scene/plan/pass_functions.hpp"
 #include "scene/plan/plan_cost.hpp"
@@ -11,8 +10,6 @@
 namespace kreda::scene {
 
 namespace {
-
-using lighting::ReflectionModel;
 
 /// What the functions below read, and the list that they add to.
 struct Listing {
@@ -28,25 +25,7 @@ struct Listing {
     }
 };
 
-bool is_lit(const lighting::Material& material) {
-    return material.model != ReflectionModel::unlit;
-}
-
-/// Which materials a test holds for, by number.
-template <class Test>
-std::vector<bool> materials_with(const Scene& scene, Test test) {
-    std::vector<bool> with;
-    for (const lighting::Material& material : scene.materials) with.push_back(test(material));
-    return with;
-}
-
-bool any_visible(const Scene& scene, const std::vector<bool>& materials) {
-    const std::vector<bool> visible = visible_materials(scene);
-    for (std::size_t m = 0; m < materials.size(); ++m) {
-        if (visible[m] && materials[m]) return true;
-    }
-    return false;
-}
+constexpr const char* kAsTheLights = "as for the lights that ask for it";
 
 void list_vertices(Listing& list) {
     const raster::VertexNeeds& needs = list.plan.vertex;
@@ -71,10 +50,11 @@ void list_triangles(Listing& list) {
     const std::uint64_t count = list.counts.triangles;
     list.add(PassScope::frame, place_triangles, "triangles",
              "cull, clip and sort " + std::to_string(count) + " triangles into tiles", triangle_cost(list.counts))
-        .buffers = {{"triangles and bins, at most", count * (sizeof(raster::ScreenTriangle) + sizeof(std::uint16_t))}};
-    if (!finds_sides(list.plan)) return;
+        .buffers = {{list.plan.seen ? "triangles and bins" : "triangles and bins, at most",
+                     list.counts.drawn * (sizeof(raster::ScreenTriangle) + sizeof(std::uint16_t))}};
+    if (!list.plan.finds_sides) return;
     list.add(PassScope::frame, find_sides, "sides",
-             "shading.two_sided: a triangle seen from behind has its normals turned to the viewer",
+             "shading.two_sided, and normals that contradict the winding: which side of a triangle is seen",
              side_cost(list.counts));
 }
 
@@ -87,12 +67,14 @@ void list_shadows(Listing& list) {
         list.add(PassScope::frame, find_visible_samples, "visible samples",
                  "shadow.method looks at all samples that are seen, before any is lit", visibility_cost(list.counts))
             .buffers = {{"depth, position and triangle", list.counts.samples * kSample}};
+        if (list.plan.seen) list.passes.back().bound = "as for the shadows that ask for it";
     }
     for (const PlannedShadow& shadow : list.plan.shadows) {
         PlannedPass pass = pass_of(list.scene, shadow, list.plan.viewport);
         pass.scope = PassScope::frame;
         pass.run = list.plan.shadows_by_frame ? find_frame_shadow : prepare_shadow;
         pass.index = number(shadow, list.plan);
+        if (list.plan.seen) pass.bound = "whether anything that is seen lies in it is known once it is there";
         list.passes.push_back(std::move(pass));
     }
 }
@@ -117,10 +99,9 @@ const char* filter_name(lighting::TextureFilter filter) {
 
 /// One pass a material with maps.
 void list_maps(Listing& list) {
-    const std::vector<bool> visible = visible_materials(list.scene);
     for (std::size_t m = 0; m < list.plan.materials.size(); ++m) {
         const lighting::MaterialMaps& maps = list.plan.materials[m].maps;
-        if (!visible[m] || !list.plan.materials[m].map_needs.uv) continue;
+        if (!list.plan.lighting.maps[m]) continue;
         std::string names;
         std::vector<PlannedBuffer> buffers;
         for (const lighting::MapUse& use : lighting::map_uses()) {
@@ -139,6 +120,7 @@ void list_maps(Listing& list) {
         pass.index = static_cast<int>(m);
         pass.materials.assign(list.plan.materials.size(), false);
         pass.materials[m] = true;
+        if (list.plan.seen && is_lit(list.scene.materials[m])) pass.bound = kAsTheLights;
     }
 }
 
@@ -150,37 +132,46 @@ std::string environment_reason(const Scene& scene, const RenderPlan& plan) {
     return how + where_lit(plan.frequency);
 }
 
-void list_lights(Listing& list, const std::vector<bool>& lit) {
-    int number = 0;
+void list_lights(Listing& list) {
+    int number = -1;
     for (std::size_t i = 0; i < list.scene.lights.size(); ++i) {
         const lighting::Light& light = list.scene.lights[i];
-        if (!light.on) continue;
+        number += light.on;
+        if (!any_of(list.plan.lighting.lamps[i])) continue;
         const bool casts = std::any_of(list.plan.shadows.begin(), list.plan.shadows.end(),
                                        [&](const PlannedShadow& s) { return s.light == static_cast<int>(i); });
         PlannedPass& pass = list.add(PassScope::points, add_light, name_of_light(light, i),
                                      std::string("on: what it sends") + (casts ? ", its shadow" : "") +
                                          " and what is reflected of it " + where_lit(list.plan.frequency),
                                      light_cost(list.scene, list.plan, list.counts, static_cast<int>(i)));
-        pass.index = number++;
-        pass.materials = lit;
+        pass.index = number;
+        pass.materials = list.plan.lighting.lamps[i];
+        if (list.plan.seen)
+            pass.bound = "whether a seen sample faces it out of the shadow, and reflects it, is not asked before";
     }
 }
 
 /// What light is, wherever it is computed: the passes of the lecture's equation.
 void list_lighting(Listing& list) {
-    const std::vector<bool> lit = materials_with(list.scene, is_lit);
+    const LightingChoices& chosen = list.plan.lighting;
     list_maps(list);
-    if (!any_visible(list.scene, lit)) return;
-    list.add(PassScope::points, find_surface, "surface", std::string("n and v ") + where_lit(list.plan.frequency),
-             surface_cost(list.plan, list.counts))
-        .materials = lit;
+    if (any_of(chosen.surface)) {
+        PlannedPass& pass =
+            list.add(PassScope::points, find_surface, "surface",
+                     std::string("n and v ") + where_lit(list.plan.frequency), surface_cost(list.plan, list.counts));
+        pass.materials = chosen.surface;
+        if (list.plan.seen && !list.plan.lit_by_environment) pass.bound = kAsTheLights;
+    }
     if (list.plan.lit_by_environment) {
         list.add(PassScope::points, add_environment, "environment", environment_reason(list.scene, list.plan),
                  environment_light_cost(list.scene, list.plan, list.counts))
-            .materials = lit;
+            .materials = chosen.environment;
     }
-    list_lights(list, lit);
+    list_lights(list);
 }
+
+/// Colours that are computed before anything is drawn lie in memory that begins black.
+constexpr const char* kMayBeBlack = "whether what is seen is black anyway is known once it is lit";
 
 /// The pass that lights, and behind it what it runs at every batch of points.
 PlannedPass& list_lit(Listing& list, PassScope scope, void (*run)(const PassWork&), const std::string& name,
@@ -197,30 +188,42 @@ void list_lit_vertices(Listing& list) {
                                  std::string("shading.frequency = \"gouraud\": what follows, at every vertex") +
                                      (list.plan.two_sided ? ", for both sides of the surface" : ""));
     pass.buffers = {{"color", bytes}};
+    if (list.plan.seen) pass.bound = kMayBeBlack;
     if (list.plan.two_sided) pass.buffers.push_back({"color_behind", bytes});
 }
 
 void list_lit_triangles(Listing& list) {
-    list_lit(list, PassScope::frame, light_triangles, "light triangles",
-             "shading.frequency = \"flat\": what follows, once a triangle, at its centroid")
-        .buffers = {{"flat color", list.counts.triangles * sizeof(glm::vec3)}};
+    PlannedPass& pass = list_lit(list, PassScope::frame, light_triangles, "light triangles",
+                                 "shading.frequency = \"flat\": what follows, once a triangle, at its centroid");
+    pass.buffers = {{"flat color", list.counts.drawn * sizeof(glm::vec3)}};
+    if (list.plan.seen) pass.bound = kMayBeBlack;
 }
 
 void list_lit_samples(Listing& list) {
     list_lit(list, PassScope::batch, light_samples, "light pixels",
-             "shading.frequency = \"phong\": what follows, at every sample")
-        .buffers = {{"lighting channels of one batch, a thread", sizeof(lighting::LightingChannels)}};
+             "shading.frequency = \"phong\": what follows, at every sample");
 }
 
 /// Flat shading in clear air has nothing left to compute at a pixel.
 bool only_painting_left(const RenderPlan& plan) {
     const bool fog = plan.fog_at_pixels || plan.fog_at_vertices;
-    return plan.frequency == ShadingFrequency::flat && !fog && plan.views.empty();
+    return plan.frequency == ShadingFrequency::flat && plan.film && !fog && plan.views.empty();
 }
 
 bool interpolates(const RenderPlan& plan) {
     return plan.shadows_by_frame || std::any_of(plan.fragment_of_material.begin(), plan.fragment_of_material.end(),
                                                 [](const raster::FragmentNeeds& needs) { return needs.any(); });
+}
+
+/// Nothing but lamps reads what is interpolated.
+bool only_lamps_ask(const RenderPlan& plan) {
+    const bool fog = plan.fog_at_pixels || plan.fog_at_vertices;
+    const auto shows_a_map = [&](std::size_t m) { return plan.lighting.maps[m] && !plan.lighting.surface[m]; };
+    if (!plan.seen || plan.frequency != ShadingFrequency::phong || fog || plan.lit_by_environment) return false;
+    for (std::size_t m = 0; m < plan.materials.size(); ++m) {
+        if (shows_a_map(m)) return false;
+    }
+    return std::all_of(plan.views.begin(), plan.views.end(), [](const View* view) { return !view->needs.any(); });
 }
 
 void list_fog(Listing& list) {
@@ -229,14 +232,14 @@ void list_fog(Listing& list) {
                  fog_cost(list.scene, list.counts));
     }
     if (list.plan.fog_at_vertices || list.plan.fog_at_pixels) {
+        if (!list.plan.wanted.radiance) return;
         list.add(PassScope::batch, mix_fog, "mix fog", "fog.mode is not \"none\"", mix_fog_cost(list.counts));
     }
 }
 
 void list_visible(Listing& list) {
     list.add(PassScope::tile, find_nearest, "visibility", "which triangle is nearest, sample by sample",
-             visibility_cost(list.counts))
-        .buffers = {{"depth and triangle of one tile, a thread", sizeof(raster::TileVisibility)}};
+             visibility_cost(list.counts));
 }
 
 /// From the attributes of the visible samples to their radiance in the tile.
@@ -250,17 +253,26 @@ void list_batches(Listing& list) {
         const bool affine = list.plan.interpolation == raster::AttributeInterpolation::affine;
         list.add(PassScope::batch, interpolate, "interpolate",
                  std::string("attributes between the vertices, ") + (affine ? "affine" : "perspective-correct"),
-                 interpolation_cost(list.plan, list.counts))
-            .buffers = {{"fragments of one batch, a thread", sizeof(raster::Fragments)}};
+                 interpolation_cost(list.plan, list.counts));
+        if (only_lamps_ask(list.plan)) list.passes.back().bound = kAsTheLights;
+        if (list.plan.seen && list.plan.vertex.color) list.passes.back().bound = kMayBeBlack;
     }
-    if (list.plan.frequency == ShadingFrequency::flat) {
+    if (list.plan.frequency == ShadingFrequency::flat && list.plan.wanted.radiance) {
         list.add(PassScope::batch, color_flat, "flat color", "the colour of its triangle at every sample",
                  copy_cost(list.counts));
+        if (list.plan.seen) list.passes.back().bound = "whether fog hides it all is known once it is there";
     }
-    if (list.plan.frequency == ShadingFrequency::phong) list_lit_samples(list);
+    if (list.plan.frequency == ShadingFrequency::phong && list.plan.lighting.any) list_lit_samples(list);
     list_fog(list);
+    if (!list.plan.film) return;
     list.add(PassScope::batch, paint, "paint", "the radiance of a batch to its places in the tile",
              copy_cost(list.counts));
+}
+
+/// Depth and triangle of each sample, the runs of what is seen, and three numbers of colour.
+constexpr std::uint64_t bytes_of_tile() {
+    constexpr std::uint64_t kSamples = std::uint64_t{raster::kTileSide} * raster::kTileSide;
+    return sizeof(raster::TileVisibility) + kSamples * (sizeof(raster::Run) + 3 * sizeof(float));
 }
 
 std::vector<PlannedBuffer> view_buffers(const Listing& list, const View& view) {
@@ -283,46 +295,64 @@ void list_views(Listing& list, bool depth) {
 
 void list_background(Listing& list) {
     list.add(PassScope::tile, start_background, "background",
-             list.scene.image.environment_background ? "image.background = \"environment\": where nothing is drawn"
-                                                     : "image.background: one colour where nothing is drawn",
+             list.plan.environment_background ? "image.background = \"environment\": where nothing is drawn"
+                                              : "image.background: one colour where nothing is drawn",
              copy_cost(list.counts));
 }
 
 void list_film(Listing& list) {
     const int n = list.scene.image.samples;
-    list.add(PassScope::tile, write_film, "film",
-             n == 1 ? "one sample a pixel" : "mean of " + std::to_string(n * n) + " samples a pixel",
-             film_cost(list.plan, list.counts))
-        .buffers = {{"linear RGB", list.counts.pixels * 3 * sizeof(float)}};
+    PlannedPass& pass =
+        list.add(PassScope::tile, write_film, "film",
+                 n == 1 ? "one sample a pixel" : "mean of " + std::to_string(n * n) + " samples a pixel",
+                 film_cost(list.plan, list.counts));
+    if (list.plan.film) pass.buffers = {{"linear RGB", list.counts.pixels * 3 * sizeof(float)}};
+    pass.buffers.push_back({"depth, triangles and colours of one tile, a thread", bytes_of_tile()});
 }
 
 void list_objects(Listing& list) {
     const RenderPlan& plan = list.plan;
     list_vertices(list);
     if (!plan.shadows_by_frame) list_shadows(list);
-    if (plan.frequency == ShadingFrequency::gouraud) list_lit_vertices(list);
+    if (plan.vertex.color) list_lit_vertices(list);
     if (plan.fog_at_vertices) list_vertex_fog(list);
     list_triangles(list);
     if (plan.shadows_by_frame) list_shadows(list);
-    if (plan.frequency == ShadingFrequency::flat) list_lit_triangles(list);
+    if (plan.frequency == ShadingFrequency::flat && plan.wanted.radiance) list_lit_triangles(list);
+}
+
+/// Memory of a thread, listed where the first pass is that needs it.
+void add_memory_of_threads(Listing& list) {
+    constexpr std::uint64_t kPoints = sizeof(raster::Fragments), kLight = sizeof(lighting::LightingChannels);
+    const auto first = std::find_if(list.passes.begin(), list.passes.end(), works_on_points);
+    const auto background = std::find_if(list.passes.begin(), list.passes.end(),
+                                         [](const PlannedPass& pass) { return pass.run == start_background; });
+    if (first != list.passes.end()) first->buffers.push_back({"points of one batch, a thread", kPoints});
+    const auto lit = list.plan.environment_background ? std::min(first, background) : first;
+    if (lit != list.passes.end()) lit->buffers.push_back({"lighting channels of one batch, a thread", kLight});
 }
 
 }  // namespace
 
-bool finds_sides(const RenderPlan& plan) {
-    return plan.two_sided && plan.frequency != ShadingFrequency::flat;
+bool works_on_points(const PlannedPass& pass) {
+    return pass.scope == PassScope::batch || pass.scope == PassScope::points || pass.run == light_vertices ||
+           pass.run == light_triangles || pass.run == fog_vertices;
 }
 
 void list_passes(const Scene& scene, RenderPlan& plan) {
     Listing list{scene, plan, count(scene, plan), plan_baking(scene, plan.environment)};
-    const bool objects = !scene.objects.empty();
+    for (PlannedPass& pass : list.passes) {
+        if (plan.seen && !plan.wanted.effects) pass.bound = "which of the baked maps the view reads is not asked";
+    }
+    const bool objects = plan.draws_objects;
     if (objects) list_objects(list);
     if (objects) list_visible(list);
-    list_background(list);
-    list_views(list, true);
+    if (plan.shows_background) list_background(list);
+    if (objects) list_views(list, true);
     if (objects) list_batches(list);
     if (objects) list_views(list, false);
     list_film(list);
+    add_memory_of_threads(list);
     plan.passes = std::move(list.passes);
 }
 

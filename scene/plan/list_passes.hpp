@@ -5,10 +5,10 @@
 
 namespace kreda::scene {
 
+/// Does a pass work on points, batch by batch, and need memory for them?
+[[nodiscard]] bool works_on_points(const PlannedPass& pass);
+
 /// Fill plan.passes, in the order in which they run, from everything else that the plan says.
 void list_passes(const Scene& scene, RenderPlan& plan);
-
-/// Which side of a triangle is seen is asked only where normals are interpolated.
-[[nodiscard]] bool finds_sides(const RenderPlan& plan);
 
 }  // namespace kreda::scene

@@ -43,7 +43,8 @@ struct PlannedPass {
     PassCost cost;
     PassScope scope = PassScope::frame;
     void (*run)(const PassWork& work) = nullptr;
-    int index = -1;                    ///< which light that is on, shadow, view or material it is about
+    int index = -1;          ///< which light that is on, shadow, view or material it is about
+    std::string bound = {};  ///< why it may run and change nothing: what is not known before; empty: it does not
     std::vector<bool> materials = {};  ///< those whose batches it works on, by number; empty: all
 };
 

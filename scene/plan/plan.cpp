@@ -3,95 +3,18 @@
 #include <algorithm>
 
 #include "raster/platform.hpp"
-#include "scene/map_meshes.hpp"
 #include "scene/plan/environment_plan.hpp"
+#include "scene/plan/left_out.hpp"
 #include "scene/plan/list_passes.hpp"
+#include "scene/plan/needs.hpp"
 
 namespace kreda::scene {
 
 namespace {
 
-/// The attributes of a vertex that a later pass reads.
-raster::VertexNeeds vertex_needs(const Scene& scene, const RenderPlan& plan) {
-    const bool lit_at_pixels = plan.frequency == ShadingFrequency::phong;
-    const bool lit_at_vertices = plan.frequency == ShadingFrequency::gouraud;
-    raster::VertexNeeds needs;
-    needs.position_world = true;
-    needs.normal_world = lit_at_pixels || lit_at_vertices;
-    needs.color = lit_at_vertices;
-    needs.color_behind = lit_at_vertices && plan.two_sided;
-    needs.fog = plan.fog_at_vertices;
-    for (const View* view : plan.views) {
-        needs.normal_world |= view->needs.normal;
-        needs.uv |= view->needs.uv;
-    }
-    const std::vector<bool> visible = visible_materials(scene);
-    for (std::size_t m = 0; m < plan.materials.size(); ++m) {
-        needs.uv |= visible[m] && plan.materials[m].map_needs.uv;
-        needs.tangent_world |= visible[m] && plan.materials[m].map_needs.tangent;
-    }
-    if (scene.objects.empty()) needs = {};
-    return needs;
-}
-
-raster::FragmentNeeds fragment_needs(const RenderPlan& plan) {
-    raster::FragmentNeeds needs;
-    needs.position = plan.frequency == ShadingFrequency::phong || plan.fog_at_pixels;
-    needs.normal = plan.frequency == ShadingFrequency::phong;
-    needs.face_normal = plan.frequency == ShadingFrequency::phong && !plan.shadows.empty() &&
-                        plan.shadows[0].map.settings.method == shadows::ShadowMethod::map;
-    needs.color = plan.frequency == ShadingFrequency::gouraud;
-    needs.fog = plan.fog_at_vertices;
-    needs.two_sided = plan.two_sided;
-    for (const View* view : plan.views) {
-        needs.position |= view->needs.position;
-        needs.normal |= view->needs.normal;
-        needs.uv |= view->needs.uv;
-    }
-    return needs;
-}
-
-/// Maps are read where the light is computed: at samples only with phong.
-std::vector<raster::FragmentNeeds> fragment_needs_of_materials(const RenderPlan& plan) {
-    std::vector<raster::FragmentNeeds> of_material(plan.materials.size(), plan.fragment);
-    if (plan.frequency != ShadingFrequency::phong) return of_material;
-    for (std::size_t m = 0; m < of_material.size(); ++m) {
-        const lighting::MapNeeds& maps = plan.materials[m].map_needs;
-        of_material[m].uv |= maps.uv;
-        of_material[m].uv_steps |= maps.uv_steps;
-        of_material[m].tangent |= maps.tangent;
-    }
-    return of_material;
-}
-
-void list_left_out(RenderPlan& plan) {
-    const auto left_out = [&](bool absent, const char* name, const char* why_not) {
-        if (absent) plan.left_out.push_back({name, why_not});
-    };
-    const bool no_fog = !plan.fog_at_pixels && !plan.fog_at_vertices;
-    left_out(plan.frequency != ShadingFrequency::gouraud, "light vertices",
-             "only shading.frequency = \"gouraud\" lights vertices");
-    left_out(plan.frequency != ShadingFrequency::flat, "light triangles",
-             "only shading.frequency = \"flat\" lights triangles");
-    left_out(plan.frequency != ShadingFrequency::phong, "light pixels",
-             "only shading.frequency = \"phong\" lights pixels");
-    left_out(!finds_sides(plan), "sides",
-             plan.two_sided ? "shading.frequency = \"flat\": a triangle's normal is that of its winding"
-             : plan.cull == raster::CullMode::back ? "shading.cull = \"back\": no back is seen"
-                                                   : "shading.two_sided = false: a back takes the light of its front");
-    const bool no_maps = std::none_of(plan.passes.begin(), plan.passes.end(),
-                                      [](const PlannedPass& pass) { return pass.name.starts_with("maps of "); });
-    left_out(no_maps, "maps", "no visible material has a map that its model reads");
-    left_out(!plan.environment.any(), "environment",
-             "there is no [environment] that a lit material or the background shows");
-    left_out(plan.environment.any() && !plan.environment.blurred, "prefiltered levels and brdf map",
-             "no visible material is cook_torrance, or environment.reference integrates without them");
-    left_out(no_fog, "fog", "fog.mode = \"none\"");
-}
-
 /// Lamps shine pi times as bright on the older models' diffuse as on the same albedo: said where both are seen.
 void note_two_scales(const Scene& scene, RenderPlan& plan) {
-    const std::vector<bool> visible = visible_materials(scene);
+    const MaterialMask& visible = plan.lighting.seen;
     const std::string *per_pi = nullptr, *plain = nullptr;
     for (std::size_t m = 0; m < scene.materials.size(); ++m) {
         const lighting::ReflectionModel model = scene.materials[m].model;
@@ -105,11 +28,12 @@ void note_two_scales(const Scene& scene, RenderPlan& plan) {
                          "\" reflects diffuse: equal numbers look 3.14 times as bright there (docs/21_lambert.md)");
 }
 
-}  // namespace
-
-RenderPlan make_plan(const Scene& scene, const std::vector<const View*>& views) {
+/// What the scene's settings say, whatever is seen.
+RenderPlan start_plan(const Scene& scene, const PlanRequest& request) {
     RenderPlan plan;
-    plan.views = views;
+    plan.views = request.views;
+    plan.film = request.film;
+    plan.wanted = wanted_of(request);
     plan.has_lights = std::any_of(scene.lights.begin(), scene.lights.end(), [](const auto& light) { return light.on; });
     plan.samples = scene.image.samples;
     plan.viewport = {scene.image.width * plan.samples, scene.image.height * plan.samples};
@@ -119,30 +43,158 @@ RenderPlan make_plan(const Scene& scene, const std::vector<const View*>& views) 
                              ? raster::AttributeInterpolation::affine
                              : raster::AttributeInterpolation::perspective;
     plan.frequency = scene.shading.frequency;
-    const bool foggy = scene.fog.mode != lighting::FogMode::none && !scene.objects.empty();
-    plan.fog_at_vertices = foggy && scene.fog.frequency == lighting::FogFrequency::vertex;
-    plan.fog_at_pixels = foggy && scene.fog.frequency == lighting::FogFrequency::pixel;
-    ShadowPlan shadow_plan = plan_shadows(scene, plan.frequency == ShadingFrequency::phong);
-    plan.shadows = std::move(shadow_plan.shadows);
-    plan.shadows_by_frame = !plan.shadows.empty() && is_frame_by_frame(scene.shadow.method);
-    KREDA_EXPECT(!plan.shadows_by_frame || plan.frequency == ShadingFrequency::phong);
-    plan.shows_blockers = std::any_of(views.begin(), views.end(), [](const View* view) {
+    plan.shows_blockers = std::any_of(plan.views.begin(), plan.views.end(), [](const View* view) {
         return view->name == "blocker_distance" || view->name == "penumbra";
     });
-    for (const lighting::Material& material : scene.materials) plan.materials.push_back(prepare(material));
-    plan.environment = environment_needs(scene);
-    plan.lit_by_environment = plan.environment.irradiance || (scene.environment.on && scene.environment.reference > 0);
-    plan.vertex = vertex_needs(scene, plan);
-    plan.fragment = fragment_needs(plan);
-    plan.fragment_of_material = fragment_needs_of_materials(plan);
-    list_passes(scene, plan);
-    list_left_out(plan);
-    note_two_scales(scene, plan);
-    if (plan.shadows.empty() && shadow_plan.why_not.empty()) {
-        plan.left_out.push_back({"shadows", "no light that is on has shadow = true"});
-    }
-    for (const std::string& why_not : shadow_plan.why_not) plan.left_out.push_back({"shadows", why_not});
     return plan;
+}
+
+/// Which maps each material reads; what its model computes once follows for those that are seen.
+void start_materials(const Scene& scene, RenderPlan& plan) {
+    for (const lighting::Material& material : scene.materials) {
+        lighting::MaterialSetup setup;
+        setup.material = material;
+        setup.maps = lighting::maps_in_use(material);
+        setup.map_needs = lighting::needs_of(setup.maps);
+        plan.materials.push_back(std::move(setup));
+    }
+}
+
+/// Is a view there for anything that is seen? The depth buffer is for all of it.
+bool shows_anything(const RenderPlan& plan, const View& view) {
+    for (std::size_t m = 0; m < plan.materials.size(); ++m) {
+        if (plan.lighting.seen[m] && (!view.value || view.holds(plan, static_cast<std::uint32_t>(m)))) return true;
+    }
+    return false;
+}
+
+/// Objects that are seen, and of which nothing is asked for, are not drawn.
+void leave_unasked_objects(const Scene& scene, RenderPlan& plan) {
+    const bool asked = plan.film || std::any_of(plan.views.begin(), plan.views.end(),
+                                                [&](const View* view) { return shows_anything(plan, *view); });
+    if (!plan.seen || (asked && plan.seen->covered > 0)) return;
+    plan.draws_objects = false;
+    plan.lighting = nothing_lit(scene);
+    plan.shadows.clear();
+    plan.shadows_by_frame = plan.fog_at_vertices = plan.fog_at_pixels = plan.lit_by_environment = false;
+    if (!plan.environment_background) plan.environment = {};
+}
+
+void choose_materials(const Scene& scene, RenderPlan& plan) {
+    plan.lighting = choose_lighting(scene, plan.seen ? &*plan.seen : nullptr, plan.wanted);
+    plan.draws_objects = plan.seen ? plan.seen->covered > 0 : !scene.objects.empty();
+    for (std::size_t m = 0; m < plan.materials.size(); ++m) {
+        if (plan.lighting.seen[m] && plan.lighting.any) plan.materials[m] = prepare(scene.materials[m]);
+    }
+}
+
+/// Fog that leaves everything clear is none: a factor of exactly 1 changes no bit. A factor of 1 at every vertex is not
+/// exactly 1 between them.
+bool fog_is_clear(const Scene& scene, const Seen& seen) {
+    constexpr float kRounding = 1.0001f;
+    if (scene.fog.frequency == lighting::FogFrequency::vertex) return false;
+    if (scene.fog.mode == lighting::FogMode::linear) return seen.farthest * kRounding < scene.fog.start;
+    return scene.fog.density == 0.0f;
+}
+
+void choose_fog(const Scene& scene, RenderPlan& plan) {
+    const bool foggy = scene.fog.mode != lighting::FogMode::none && plan.draws_objects && plan.wanted.fog;
+    const bool looked_at = !plan.seen || !plan.wanted.effects;
+    if (!foggy || (!looked_at && fog_is_clear(scene, *plan.seen))) return;
+    plan.fog_at_vertices = scene.fog.frequency == lighting::FogFrequency::vertex;
+    plan.fog_at_pixels = scene.fog.frequency == lighting::FogFrequency::pixel;
+}
+
+/// A view of shadows looks at those of one light: the last that has one.
+void keep_last_shadow(RenderPlan& plan) {
+    if (!plan.wanted.last_shadow || plan.wanted.lamps || plan.shadows.empty()) return;
+    const PlannedShadow last = plan.shadows.back();
+    for (std::size_t k = 0; k < plan.lighting.lamps.size(); ++k) {
+        if (static_cast<int>(k) != last.light) plan.lighting.lamps[k].assign(plan.materials.size(), false);
+    }
+    plan.shadows = {last};
+}
+
+/// Shadows of the lights that are added to something. Returns why other lights have none.
+std::vector<std::string> choose_shadows(const Scene& scene, RenderPlan& plan) {
+    std::vector<bool> shines;
+    for (const MaterialMask& lamp : plan.lighting.lamps) shines.push_back(plan.wanted.shadows && any_of(lamp));
+    ShadowPlan shadow_plan = plan_shadows(scene, plan.frequency == ShadingFrequency::phong, shines);
+    plan.shadows = std::move(shadow_plan.shadows);
+    keep_last_shadow(plan);
+    plan.shadows_by_frame = !plan.shadows.empty() && is_frame_by_frame(scene.shadow.method);
+    KREDA_EXPECT(!plan.shadows_by_frame || plan.frequency == ShadingFrequency::phong);
+    return std::move(shadow_plan.why_not);
+}
+
+bool is_written_everywhere(const RenderPlan& plan, const View& view) {
+    for (std::size_t m = 0; m < plan.materials.size(); ++m) {
+        const bool written = !view.value || view.holds(plan, static_cast<std::uint32_t>(m));
+        if (plan.lighting.seen[m] && !written) return false;
+    }
+    return true;
+}
+
+/// Are there samples that show no object?
+bool has_gaps(const RenderPlan& plan) {
+    const std::uint64_t samples =
+        static_cast<std::uint64_t>(plan.viewport.width) * static_cast<std::uint64_t>(plan.viewport.height);
+    return !plan.draws_objects || !plan.seen || plan.seen->covered < samples;
+}
+
+void choose_background(RenderPlan& plan) {
+    const auto needs_background = [&](const View* view) {
+        const bool is_depth = !view->value;  // where nothing is drawn, the depth buffer says so itself
+        return (has_gaps(plan) && (!is_depth || !plan.draws_objects)) || !is_written_everywhere(plan, *view);
+    };
+    plan.shows_background =
+        (plan.film && has_gaps(plan)) || std::any_of(plan.views.begin(), plan.views.end(), needs_background);
+}
+
+void choose_environment(const Scene& scene, RenderPlan& plan) {
+    plan.background = scene.image.environment_background ? glm::vec3(0.0f) : scene.image.background;
+    if (!scene.environment.on) return;
+    const bool background = scene.image.environment_background && plan.film && has_gaps(plan) &&
+                            (!plan.seen || scene.environment.intensity != 0.0f);
+    plan.environment_background = background;
+    const bool looked_at = !plan.seen || !plan.wanted.effects;
+    plan.environment = environment_needs(scene, plan.lighting.environment, background, looked_at);
+    plan.lit_by_environment = plan.lighting.lit_by_environment();
+}
+
+}  // namespace
+
+LoadingPlan plan_loading(const Scene& scene, const PlanRequest& request) {
+    RenderPlan plan = start_plan(scene, request);
+    start_materials(scene, plan);
+    LoadingPlan loading{look_at(scene, plan), {}};
+    loading.maps = choose_lighting(scene, &loading.seen, plan.wanted).maps;
+    return loading;
+}
+
+RenderPlan make_plan_for(const Scene& scene, const PlanRequest& request) {
+    RenderPlan plan = start_plan(scene, request);
+    start_materials(scene, plan);
+    if (request.prune) plan.seen = request.seen ? *request.seen : look_at(scene, plan);
+    choose_materials(scene, plan);
+    choose_fog(scene, plan);
+    const std::vector<std::string> no_shadows = choose_shadows(scene, plan);
+    choose_environment(scene, plan);
+    leave_unasked_objects(scene, plan);
+    choose_background(plan);
+    const bool sides = plan.two_sided && plan.frequency != ShadingFrequency::flat && plan.lighting.any;
+    plan.finds_sides = sides && any_of(plan.lighting.surface) && (!plan.seen || plan.seen->any_turned);
+    plan.fragment_of_material = fragment_needs(scene, plan);
+    plan.fragment = join(plan.fragment_of_material);
+    plan.vertex = vertex_needs(plan);
+    list_passes(scene, plan);
+    list_left_out(scene, no_shadows, plan);
+    note_two_scales(scene, plan);
+    return plan;
+}
+
+RenderPlan make_plan(const Scene& scene, const std::vector<const View*>& views) {
+    return make_plan_for(scene, {.views = views, .film = true, .prune = views.empty()});
 }
 
 bool can_show(const RenderPlan& plan, const Scene& scene, const View& view) {

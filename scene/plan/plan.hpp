@@ -3,6 +3,7 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -10,9 +11,12 @@
 #include "raster/fragments.hpp"
 #include "raster/triangle_setup.hpp"
 #include "raster/vertex_stage.hpp"
+#include "scene/plan/choose_lighting.hpp"
 #include "scene/plan/pass.hpp"
+#include "scene/plan/seen.hpp"
 #include "scene/plan/shadow_plan.hpp"
 #include "scene/plan/views.hpp"
+#include "scene/plan/wanted.hpp"
 #include "scene/scene.hpp"
 
 namespace kreda::scene {
@@ -24,8 +28,17 @@ struct RenderPlan {
     bool two_sided = false;  ///< backs can be seen, and their normals are turned to the viewer
     raster::AttributeInterpolation interpolation = raster::AttributeInterpolation::perspective;
     ShadingFrequency frequency = ShadingFrequency::phong;
-    raster::VertexNeeds vertex;      ///< attributes of the vertex streams
-    raster::FragmentNeeds fragment;  ///< attributes that are interpolated for each visible sample
+    bool film = true;                     ///< the picture itself is drawn
+    std::optional<Seen> seen;             ///< what the camera sees; none: nothing was left out for it
+    Wanted wanted;                        ///< how far the pipeline goes
+    LightingChoices lighting;             ///< which materials each of the lighting passes works on
+    bool draws_objects = false;           ///< some of them are seen
+    bool shows_background = false;        ///< some samples show none
+    bool environment_background = false;  ///< they show the environment
+    glm::vec3 background{0.0f};           ///< else this colour, linear RGB
+    bool finds_sides = false;             ///< normals of seen triangles contradict their winding
+    raster::VertexNeeds vertex;           ///< attributes of the vertex streams
+    raster::FragmentNeeds fragment;       ///< attributes that are interpolated for each visible sample
     std::vector<raster::FragmentNeeds> fragment_of_material;  ///< the same, and what the maps of a material read
     std::vector<lighting::MaterialSetup> materials;           ///< the scene's, made ready
     bool has_lights = false;                                  ///< one that is on
@@ -42,7 +55,18 @@ struct RenderPlan {
     std::vector<std::string> notes;  ///< what is so on purpose and may surprise: a sentence each
 };
 
-/// What drawing the scene requires, and these views of it.
+/// The first step, once the meshes are there: what is seen, and the materials whose maps must be loaded for it.
+struct LoadingPlan {
+    Seen seen;
+    MaterialMask maps;
+};
+[[nodiscard]] LoadingPlan plan_loading(const Scene& scene, const PlanRequest& request);
+
+/// The second: what is asked for requires of the scene, all of whose maps that are read are there.
+[[nodiscard]] RenderPlan make_plan_for(const Scene& scene, const PlanRequest& request);
+
+/// What the picture requires. With views: the picture and everything that they may look at, so that nothing is left
+/// out.
 [[nodiscard]] RenderPlan make_plan(const Scene& scene, const std::vector<const View*>& views = {});
 
 /// Does anything in the scene write this view?

@@ -57,7 +57,8 @@ double reflection_operations(const lighting::Material& material) {
         case ReflectionModel::lambert: return kPositiveDot + 3.0 + kAddUp;
         case ReflectionModel::phong:
             return kPositiveDot + 3.0 + 12.0 + kPositiveDot + kPowOperations + kPositiveDot + 4.0 + kAddUp;
-        case ReflectionModel::blinn_phong:
+        case ReflectionModel::blinn_phong:  // h is the same everywhere for parallel light and a parallel projection,
+                                            // and yet found at every point: one loop for all, 14 operations of 111
             return kPositiveDot + 3.0 + kHalfVector + kPositiveDot + kPowOperations + kPositiveDot + 4.0 + kAddUp;
         case ReflectionModel::ward:
             return 3.0 * kPositiveDot + kHalfVector + 13.0 + kExpOperations + 15.0 + 7.0 + kAddUp;
@@ -82,10 +83,15 @@ PlanCounts count(const Scene& scene, const RenderPlan& plan) {
     for (const Object& object : scene.objects) {
         counts.vertices += object.mesh->positions.size();
         counts.triangles += object.mesh->triangle_count();
-        for (const int m : object.part_material) {
-            const lighting::Material& material = scene.materials[static_cast<std::size_t>(m)];
-            counts.dearest_reflection = std::max(counts.dearest_reflection, reflection_operations(material));
-        }
+    }
+    for (std::size_t m = 0; m < scene.materials.size(); ++m) {
+        if (!plan.lighting.seen[m]) continue;
+        counts.dearest_reflection = std::max(counts.dearest_reflection, reflection_operations(scene.materials[m]));
+    }
+    counts.drawn = counts.triangles;
+    if (plan.seen) {
+        counts.drawn = 0;
+        for (const SeenObject& object : plan.seen->objects) counts.drawn += object.triangles.drawn;
     }
     counts.samples = static_cast<std::uint64_t>(plan.viewport.width) * static_cast<std::uint64_t>(plan.viewport.height);
     counts.pixels = static_cast<std::uint64_t>(scene.image.width) * static_cast<std::uint64_t>(scene.image.height);

@@ -18,6 +18,7 @@ namespace kreda::scene {
 struct PlanCounts {
     std::uint64_t vertices = 0;
     std::uint64_t triangles = 0;
+    std::uint64_t drawn = 0;    ///< of them: those that reach the tiles; all of them where that is not known
     std::uint64_t samples = 0;  ///< of the whole picture
     std::uint64_t pixels = 0;
     double dearest_reflection = 0.0;  ///< operations of one light at one point, by the dearest material that is seen

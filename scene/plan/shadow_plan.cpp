@@ -160,9 +160,11 @@ std::string name_of_light(const lighting::Light& light, std::size_t index) {
     return "light " + std::to_string(index) + " (" + kind + ")";
 }
 
-ShadowPlan plan_shadows(const Scene& scene, bool only_visible) {
+ShadowPlan plan_shadows(const Scene& scene, bool only_visible, const std::vector<bool>& shines) {
     ShadowPlan plan;
-    const auto casts = [](const lighting::Light& light) { return light.on && light.shadow; };
+    const auto casts = [&](const lighting::Light& light) {
+        return light.on && light.shadow && shines[static_cast<std::size_t>(&light - scene.lights.data())];
+    };
     if (std::none_of(scene.lights.begin(), scene.lights.end(), casts)) return plan;
     const std::vector<ObjectExtent> extents = measure_objects(scene, only_visible);
     int on = 0;

@@ -36,6 +36,7 @@ struct ShadowPlan {
 [[nodiscard]] std::string name_of_light(const lighting::Light& light, std::size_t index);
 
 /// `only_visible`: points outside the picture are not lit (shading.frequency = "phong"), so nothing need fall on them.
-[[nodiscard]] ShadowPlan plan_shadows(const Scene& scene, bool only_visible);
+/// `shines`: for each light whether it is added to anything; what is not needs no shadow.
+[[nodiscard]] ShadowPlan plan_shadows(const Scene& scene, bool only_visible, const std::vector<bool>& shines);
 
 }  // namespace kreda::scene

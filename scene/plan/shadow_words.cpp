@@ -53,13 +53,13 @@ Account account_of(const Scene& scene, const PlannedShadow& shadow, std::uint64_
                                     samples);
         case ShadowMethod::volume: {
             Account account = account_of_frame("shadow volumes", "behind " + count_of(triangles, "triangle"), samples);
-            account.buffers.push_back({"counters", samples * sizeof(std::int32_t)});
+            account.buffers.push_back({"counters, while it runs", samples * sizeof(std::int32_t)});
             return account;
         }
         case ShadowMethod::irregular: {
             Account account = account_of_frame("irregular z-buffer", "of all visible samples", samples);
-            account.buffers.push_back({"points", samples * sizeof(shadows::LightPoint)});
-            account.buffers.push_back({"cells, about", samples * sizeof(std::uint32_t)});
+            account.buffers.push_back({"points, while it runs", samples * sizeof(shadows::LightPoint)});
+            account.buffers.push_back({"cells, about, while it runs", samples * sizeof(std::uint32_t)});
             return account;
         }
     }

@@ -15,6 +15,12 @@ Baking* baking_of(const PassWork& work) {
     return work.frame.buffers.baking.get();
 }
 
+/// The same for what is made from the cube.
+Baking* baking_from_cube(const PassWork& work) {
+    Baking* const baking = baking_of(work);
+    return baking && !baking->radiance.empty() ? baking : nullptr;
+}
+
 /// The maps of these needs alone, made from the cube.
 lighting::EnvironmentMaps bake_some(const PassWork& work, const lighting::EnvironmentNeeds& needs) {
     return bake_environment(baking_of(work)->radiance, needs, work.frame.scene.environment.samples);
@@ -34,14 +40,15 @@ void bake_cube(const PassWork& work) {
 }
 
 void bake_levels(const PassWork& work) {
-    if (!baking_of(work)) return;
-    lighting::EnvironmentNeeds blurred;
-    blurred.blurred = true;
+    if (!baking_from_cube(work)) return;
+    lighting::EnvironmentNeeds blurred = work.frame.plan.environment;
+    blurred.irradiance = false;
+    blurred.brdf.clear();
     baking_of(work)->prepared->maps.prefiltered = bake_some(work, blurred).prefiltered;
 }
 
 void bake_irradiance(const PassWork& work) {
-    if (!baking_of(work)) return;
+    if (!baking_from_cube(work)) return;
     lighting::EnvironmentNeeds irradiance;
     irradiance.irradiance = true;
     irradiance.form = work.frame.plan.environment.form;

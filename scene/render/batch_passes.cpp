@@ -83,39 +83,39 @@ void interpolate(const PassWork& work) {
     const raster::FragmentNeeds& needs = plan.fragment_of_material[work.material];
     if (needs.any()) {
         interpolate_runs(buffers.streams, buffers.triangles, work.area, work.runs, work.run_count, needs,
-                         plan.interpolation, scratch.fragments);
+                         plan.interpolation, *scratch.fragments);
     }
-    if (plan.shadows_by_frame) number_samples(plan, work.area, work.runs, work.run_count, scratch.fragments);
-    if (needs.color) lighting::copy_color(scratch.fragments, scratch.lighting);
-    if (needs.fog) lighting::copy_fog(scratch.fragments, scratch.lighting);
+    if (plan.shadows_by_frame) number_samples(plan, work.area, work.runs, work.run_count, *scratch.fragments);
+    if (needs.color) lighting::copy_color(*scratch.fragments, *scratch.lighting);
+    if (needs.fog) lighting::copy_fog(*scratch.fragments, *scratch.lighting);
 }
 
 void light_samples(const PassWork& work) {
-    shade_points(work.frame, work.scratch.fragments, work.material, work.scratch.lighting, work.scratch);
+    shade_points(work.frame, *work.scratch.fragments, work.material, *work.scratch.lighting, work.scratch);
 }
 
 void color_flat(const PassWork& work) {
-    fill_flat_color(work.frame.buffers, work.runs, work.run_count, work.scratch.fragments);
-    lighting::copy_color(work.scratch.fragments, work.scratch.lighting);
+    fill_flat_color(work.frame.buffers, work.runs, work.run_count, *work.scratch.fragments);
+    lighting::copy_color(*work.scratch.fragments, *work.scratch.lighting);
 }
 
 void fog_samples(const PassWork& work) {
-    lighting::fog_factors(work.scratch.fragments, work.frame.lighting, work.scratch.lighting);
+    lighting::fog_factors(*work.scratch.fragments, work.frame.lighting, *work.scratch.lighting);
 }
 
 void mix_fog(const PassWork& work) {
-    lighting::apply_fog(work.scratch.fragments.count, work.frame.lighting.fog.color, work.scratch.lighting);
+    lighting::apply_fog(work.scratch.fragments->count, work.frame.lighting.fog.color, *work.scratch.lighting);
 }
 
 void paint(const PassWork& work) {
-    scatter_runs(work.scratch.lighting.radiance, work.runs, work.run_count, work.scratch.color);
+    scatter_runs(work.scratch.lighting->radiance, work.runs, work.run_count, work.scratch.color);
 }
 
 void show_view(const PassWork& work) {
     const auto number = static_cast<std::size_t>(work.pass.index);
     const View& view = *work.frame.plan.views[number];
     if (!view.holds(work.frame.plan, work.material)) return;
-    write_view(view, {work.scratch.fragments, work.scratch.lighting}, work.runs, work.run_count,
+    write_view(view, {*work.scratch.fragments, *work.scratch.lighting}, work.runs, work.run_count,
                work.scratch.views[number]);
 }
 

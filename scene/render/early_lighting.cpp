@@ -29,7 +29,7 @@ void for_each_batch(const PassWork& pass, int total, Work work) {
 #pragma omp for schedule(dynamic)
         for (int begin = 0; begin < total; begin += kBatchCapacity) {
             const int count = std::min(kBatchCapacity, total - begin);
-            scratch.fragments.count = count;
+            scratch.fragments->count = count;
             work(begin, count, scratch);
             scratch.clock.lap(number);
         }
@@ -55,9 +55,9 @@ void light_range(const PassWork& work, std::uint32_t material, std::uint32_t fir
                  raster::AlignedVector<glm::vec3>& color) {
     for_each_batch(work, total, [&](int begin, int count, TileScratch& scratch) {
         const std::uint32_t from = first + static_cast<std::uint32_t>(begin);
-        set_vertex_points(work.frame, from, count, behind, scratch.fragments);
-        shade_points(work.frame, scratch.fragments, material, scratch.lighting, scratch);
-        for (int i = 0; i < count; ++i) color[from + i] = scratch.lighting.radiance.at(i);
+        set_vertex_points(work.frame, from, count, behind, *scratch.fragments);
+        shade_points(work.frame, *scratch.fragments, material, *scratch.lighting, scratch);
+        for (int i = 0; i < count; ++i) color[from + i] = scratch.lighting->radiance.at(i);
     });
 }
 
@@ -69,22 +69,23 @@ int same_material(const raster::AlignedVector<raster::ScreenTriangle>& triangles
     return static_cast<int>(std::find_if(first, end, is_other) - first);
 }
 
-/// Flat colours of one chunk of triangles.
+/// Flat colours of one chunk of triangles; only of materials that are seen.
 void light_chunk(const Frame& frame, const raster::TriangleChunk& chunk, std::vector<glm::vec3>& color,
                  TileScratch& scratch) {
     const int total = static_cast<int>(chunk.triangles.size());
     const float orientation = orientation_of(frame.buffers.instances[chunk.instance].world_from_object);
     for (int begin = 0, count = 0; begin < total; begin += count) {
         count = same_material(chunk.triangles, begin);
+        const std::uint32_t material = chunk.triangles[static_cast<std::size_t>(begin)].material;
+        if (!frame.plan.lighting.seen[material]) continue;
         for (int i = 0; i < count; ++i) {
             const raster::ScreenTriangle& triangle = chunk.triangles[begin + i];
             const bool behind = frame.plan.two_sided && triangle.behind;
-            set_flat_point(frame.buffers, chunk, triangle, orientation, behind, i, scratch.fragments);
+            set_flat_point(frame.buffers, chunk, triangle, orientation, behind, i, *scratch.fragments);
         }
-        scratch.fragments.count = count;
-        shade_points(frame, scratch.fragments, chunk.triangles[static_cast<std::size_t>(begin)].material,
-                     scratch.lighting, scratch);
-        for (int i = 0; i < count; ++i) color[begin + i] = scratch.lighting.radiance.at(i);
+        scratch.fragments->count = count;
+        shade_points(frame, *scratch.fragments, material, *scratch.lighting, scratch);
+        for (int i = 0; i < count; ++i) color[begin + i] = scratch.lighting->radiance.at(i);
     }
 }
 
@@ -119,8 +120,8 @@ void turn_point(int i, raster::Fragments& points) {
 
 void set_vertex_points(const Frame& frame, std::uint32_t first, int count, bool behind, raster::Fragments& points) {
     const raster::VertexStreams& streams = frame.buffers.streams;
-    copy_points(&streams.position_world[first], count, points.position);
-    copy_points(&streams.normal_world[first], count, points.normal);
+    if (!streams.position_world.empty()) copy_points(&streams.position_world[first], count, points.position);
+    if (!streams.normal_world.empty()) copy_points(&streams.normal_world[first], count, points.normal);
     if (!frame.plan.shadows.empty()) copy_points(&streams.normal_world[first], count, points.face_normal);
     for (int i = 0; i < count && !streams.uv.empty(); ++i) {
         set_uv(streams.uv[first + static_cast<std::uint32_t>(i)], glm::vec2(0.0f), glm::vec2(0.0f), i, points);
@@ -167,6 +168,7 @@ void light_vertices(const PassWork& work) {
         for (std::size_t p = 0; p < instance.mesh->parts.size(); ++p) {
             const VertexRange range = vertices_of_part(*instance.mesh, instance.mesh->parts[p]);
             const auto material = static_cast<std::uint32_t>(instance.part_material[p]);
+            if (!work.frame.plan.lighting.seen[material]) continue;
             const std::uint32_t first = instance.first_vertex + range.first;
             const int count = static_cast<int>(range.end - range.first);
             light_range(work, material, first, count, false, streams.color);
@@ -178,9 +180,9 @@ void light_vertices(const PassWork& work) {
 void fog_vertices(const PassWork& work) {
     raster::VertexStreams& streams = work.frame.buffers.streams;
     for_each_batch(work, static_cast<int>(streams.fog.size()), [&](int begin, int count, TileScratch& scratch) {
-        for (int i = 0; i < count; ++i) scratch.fragments.position.set(i, streams.position_world[begin + i]);
-        lighting::fog_factors(scratch.fragments, work.frame.lighting, scratch.lighting);
-        for (int i = 0; i < count; ++i) streams.fog[begin + i] = scratch.lighting.fog.at(i);
+        for (int i = 0; i < count; ++i) scratch.fragments->position.set(i, streams.position_world[begin + i]);
+        lighting::fog_factors(*scratch.fragments, work.frame.lighting, *scratch.lighting);
+        for (int i = 0; i < count; ++i) streams.fog[begin + i] = scratch.lighting->fog.at(i);
     });
 }
 
@@ -194,8 +196,7 @@ void light_triangles(const PassWork& work) {
         scratch.clock.start();
 #pragma omp for schedule(dynamic)
         for (int i = 0; i < chunk_count; ++i) {
-            const raster::TriangleChunk& chunk = buffers.triangles.chunks[i];
-            if (!chunk.triangles.empty()) light_chunk(work.frame, chunk, buffers.flat_color[i], scratch);
+            light_chunk(work.frame, buffers.triangles.chunks[i], buffers.flat_color[i], scratch);
             scratch.clock.lap(number);
         }
     }

@@ -2,6 +2,7 @@
 #include "scene/plan/pass_functions.hpp"
 #include "scene/render/pass_work.hpp"
 #include "scene/render/render.hpp"
+#include "scene/sides.hpp"
 
 namespace kreda::scene {
 
@@ -27,6 +28,20 @@ void place_triangles(const PassWork& work) {
     work.frame.statistics.triangles = setup_triangles(buffers.instances, work.frame.clip_from_world, plan.viewport,
                                                       plan.cull, plan.samples, buffers.streams, buffers.triangles);
     if (plan.frequency == ShadingFrequency::flat) make_room_for_colors(buffers);
+}
+
+/// Of every triangle that reached the tiles: the answer is ScreenTriangle::behind.
+void find_sides(const PassWork& work) {
+    const lighting::LightingSetup& lighting = work.frame.lighting;
+    const Viewer viewer{lighting.eye, lighting.forward, lighting.orthographic};
+    std::vector<raster::TriangleChunk>& chunks = work.frame.buffers.triangles.chunks;
+    const int chunk_count = static_cast<int>(chunks.size());
+#pragma omp parallel for schedule(dynamic) if (chunk_count > 1)
+    for (int i = 0; i < chunk_count; ++i) {
+        for (raster::ScreenTriangle& triangle : chunks[static_cast<std::size_t>(i)].triangles) {
+            triangle.behind = find_side(work.frame.buffers.streams, viewer, triangle);
+        }
+    }
 }
 
 }  // namespace kreda::scene

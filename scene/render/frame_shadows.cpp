@@ -91,6 +91,7 @@ void find_visible_samples(const PassWork& work) {
 
 void find_frame_shadow(const PassWork& work) {
     const Frame& frame = work.frame;
+    if (frame.buffers.visible.depth.empty()) return;
     const PlannedShadow& planned = frame.plan.shadows[static_cast<std::size_t>(work.pass.index)];
     const Occluders occluders = find_occluders(frame, planned.casters);
     std::vector<float>& factor = frame.buffers.shadows[static_cast<std::size_t>(work.pass.index)].factor;

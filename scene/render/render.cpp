@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "scene/instances.hpp"
 #include "scene/plan/pass_functions.hpp"
 #include "scene/render/debug_pixel.hpp"
 #include "scene/render/frame_done.hpp"
@@ -15,25 +16,24 @@ namespace kreda::scene {
 
 namespace {
 
-std::vector<raster::MeshInstance> make_instances(const Scene& scene) {
-    std::vector<raster::MeshInstance> instances;
-    for (const Object& object : scene.objects) {
-        raster::MeshInstance instance;
-        instance.mesh = object.mesh.get();
-        instance.world_from_object = object.world_from_object;
-        instance.part_material.assign(object.part_material.begin(), object.part_material.end());
-        instance.part_hidden = object.part_hidden;
-        instances.push_back(std::move(instance));
-    }
-    return instances;
-}
-
 std::vector<lighting::LightSetup> make_lights(const Scene& scene) {
     std::vector<lighting::LightSetup> lights;
     for (const lighting::Light& light : scene.lights) {
         if (light.on) lights.push_back(prepare(light));
     }
     return lights;
+}
+
+/// What the passes find where nothing was baked: they need not ask.
+lighting::EnvironmentMaps black_maps(const RenderPlan& plan) {
+    lighting::EnvironmentMaps maps;
+    if (plan.environment.mirror || plan.environment.blurred) maps.prefiltered = lighting::make_cube_map({1});
+    if (plan.environment.irradiance) maps.irradiance = lighting::make_cube_map({1});
+    for (const lighting::BrdfKind& kind : plan.environment.brdf) {
+        const std::size_t texels = std::size_t{4} * lighting::kBrdfMapSize * lighting::kBrdfMapSize;
+        maps.brdf.push_back({kind.distribution, kind.geometry, std::vector<float>(texels, 0.0f)});
+    }
+    return maps;
 }
 
 /// Take the maps that are there, or make the passes bake them.
@@ -49,7 +49,7 @@ void begin_baking(const Scene& scene, const RenderPlan& plan, RenderBuffers& buf
     const EnvironmentSettings& settings = scene.environment;
     buffers.baking = std::make_unique<Baking>();
     buffers.baking->prepared = std::make_shared<PreparedEnvironment>(
-        PreparedEnvironment{settings.image, settings.sky, settings.samples, plan.environment, {}});
+        PreparedEnvironment{settings.image, settings.sky, settings.samples, plan.environment, black_maps(plan)});
 }
 
 void end_baking(const Scene& scene, RenderBuffers& buffers) {
@@ -67,9 +67,7 @@ lighting::LightingSetup make_lighting(const Scene& scene, const RenderPlan& plan
     setup.orthographic = scene.camera.projection == raster::Projection::orthographic;
     setup.ambient = scene.ambient;
     setup.lights = lights;
-    if (plan.lit_by_environment || plan.environment.mirror) {
-        setup.environment = environment_setup(scene.environment, *buffers.environment);
-    }
+    if (plan.environment.any()) { setup.environment = environment_setup(scene.environment, *buffers.environment); }
     setup.fog = scene.fog;
     return setup;
 }
@@ -92,7 +90,7 @@ void prepare_picture(const Scene& scene, int channels, raster::Image& picture) {
 }
 
 void prepare_pictures(const Scene& scene, const RenderPlan& plan, RenderBuffers& buffers) {
-    prepare_picture(scene, 3, buffers.film);
+    if (plan.film) prepare_picture(scene, 3, buffers.film);
     buffers.views.resize(plan.views.size());
     for (std::size_t v = 0; v < plan.views.size(); ++v) {
         prepare_picture(scene, plan.views[v]->components, buffers.views[v]);
@@ -102,9 +100,9 @@ void prepare_pictures(const Scene& scene, const RenderPlan& plan, RenderBuffers&
 /// Everything that the passes write has its place before the first of them runs.
 void prepare_buffers(const Scene& scene, const RenderPlan& plan, RenderBuffers& buffers) {
     buffers.instances = make_instances(scene);
-    lay_out_vertices(buffers.instances, plan.vertex, buffers.streams);
+    if (plan.draws_objects) lay_out_vertices(buffers.instances, plan.vertex, buffers.streams);
     buffers.triangles.grid = raster::make_tile_grid(plan.viewport, plan.samples);
-    buffers.triangles.chunks.resize(scene.objects.empty() ? 0 : buffers.triangles.chunks.size());
+    buffers.triangles.chunks.resize(plan.draws_objects ? buffers.triangles.chunks.size() : 0);
     buffers.shadows.resize(plan.shadows.size());
     prepare_pictures(scene, plan, buffers);
 }

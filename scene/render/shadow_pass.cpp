@@ -25,6 +25,7 @@ void prepare_shadow(const PassWork& work) {
     ShadowMemory& memory = frame.buffers.shadows[static_cast<std::size_t>(work.pass.index)];
     if (planned.map.settings.method == shadows::ShadowMethod::exact) {
         memory.exact = prepare_exact(find_occluders(frame, planned.casters).list, planned.source);
+        memory.is_exact_ready = true;
         return;
     }
     std::vector<raster::MeshInstance> casters;
@@ -34,11 +35,25 @@ void prepare_shadow(const PassWork& work) {
     draw_shadow_map(casters, planned.map, memory.drawing, memory.map);
 }
 
+namespace {
+
+/// Did the pass run that finds this shadow?
+bool is_prepared(const ShadowMemory& memory, shadows::ShadowMethod method) {
+    switch (method) {
+        case shadows::ShadowMethod::map: return !memory.map.distance.empty();
+        case shadows::ShadowMethod::exact: return memory.is_exact_ready;
+        default: return !memory.factor.empty();
+    }
+}
+
+}  // namespace
+
 bool find_shadow(const Frame& frame, int light_that_is_on, const raster::Fragments& points,
                  lighting::LightingChannels& channels) {
     for (std::size_t i = 0; i < frame.plan.shadows.size(); ++i) {
         if (frame.plan.shadows[i].light_that_is_on != light_that_is_on) continue;
         const ShadowMemory& memory = frame.buffers.shadows[i];
+        if (!is_prepared(memory, frame.plan.shadows[i].map.settings.method)) return false;
         switch (frame.plan.shadows[i].map.settings.method) {
             case shadows::ShadowMethod::map: look_up(frame.plan, memory.map, points, channels); break;
             case shadows::ShadowMethod::exact:

@@ -19,6 +19,7 @@ struct ShadowMemory {
     shadows::ShadowMapBuffers drawing;
     shadows::ShadowMap map;
     shadows::ExactShadow exact;
+    bool is_exact_ready = false;
     std::vector<float> factor;  ///< of every sample of the picture, by methods that find all at once
 };
 

@@ -4,6 +4,7 @@
 
 #include "raster/copy_past_cache.hpp"
 #include "raster/platform.hpp"
+#include "scene/plan/list_passes.hpp"
 #include "scene/plan/pass_functions.hpp"
 #include "scene/render/background.hpp"
 #include "scene/render/debug_pixel.hpp"
@@ -57,13 +58,13 @@ void fill_background(const glm::vec3& background, TileColor& color) {
 
 /// What is seen where nothing is drawn.
 void start_color(const Frame& frame, const TileArea& area, TileScratch& scratch) {
-    if (!frame.scene.image.environment_background) {
-        if (!scratch.color_is_background) fill_background(frame.scene.image.background, scratch.color);
+    if (!frame.plan.environment_background) {
+        if (!scratch.color_is_background) fill_background(frame.plan.background, scratch.color);
         return;
     }
     const ViewRays rays = view_rays(frame.scene.camera, frame.plan.viewport);
     float* const planes[3] = {scratch.color.plane[0], scratch.color.plane[1], scratch.color.plane[2]};
-    look_past_tile(rays, frame.lighting.environment, area, scratch.lighting.environment, planes);
+    look_past_tile(rays, frame.lighting.environment, area, scratch.lighting->environment, planes);
 }
 
 /// One pixel is the mean of its n x n samples, added row by row, left to right.
@@ -126,7 +127,7 @@ void walk_runs(const Frame& frame, const TileArea& area, std::span<const Planned
 
 void work_batch(const Frame& frame, const TileArea& area, std::span<const PlannedPass> passes, const Run* runs,
                 int count, TileScratch& scratch) {
-    scratch.fragments.count = samples_of(runs, count);
+    scratch.fragments->count = samples_of(runs, count);
     for (const PlannedPass& pass : passes) {
         if (pass.scope != PassScope::batch || !works_on(pass, runs[0].material)) continue;
         pass.run({frame, pass, scratch, area, runs, count, runs[0].material});
@@ -180,6 +181,11 @@ void render_tiles(const Frame& frame) {
 }
 
 void prepare_scratch(const RenderPlan& plan, TileScratch& scratch) {
+    const bool points = std::any_of(plan.passes.begin(), plan.passes.end(), works_on_points);
+    if (points && !scratch.fragments) scratch.fragments = std::make_unique<raster::Fragments>();
+    if ((points || plan.environment_background) && !scratch.lighting) {
+        scratch.lighting = std::make_unique<lighting::LightingChannels>();
+    }
     scratch.clock.clear(plan.passes.size());
     scratch.samples_shaded = 0;
     scratch.color_is_background = false;
@@ -202,8 +208,8 @@ void start_background(const PassWork& work) {
     const Frame& frame = work.frame;
     TileScratch& scratch = work.scratch;
     const int covered = samples_of(scratch.runs, scratch.run_count);
-    if (covered < work.area.width * work.area.height) start_color(frame, work.area, scratch);
-    scratch.color_is_background = covered == 0 && !frame.scene.image.environment_background;
+    if (frame.plan.film && covered < work.area.width * work.area.height) start_color(frame, work.area, scratch);
+    scratch.color_is_background = covered == 0 && !frame.plan.environment_background;
     for (std::size_t v = 0; v < frame.plan.views.size(); ++v) {
         fill_background(glm::vec3(frame.plan.views[v]->background), scratch.views[v]);
     }
@@ -228,7 +234,7 @@ void paint_flat(const PassWork& work) {
 void write_film(const PassWork& work) {
     RenderBuffers& buffers = work.frame.buffers;
     const TileScratch& scratch = work.scratch;
-    write_picture(work.area, work.frame.plan.samples, scratch.color, buffers.film);
+    if (work.frame.plan.film) write_picture(work.area, work.frame.plan.samples, scratch.color, buffers.film);
     for (std::size_t v = 0; v < buffers.views.size(); ++v) {
         write_picture(work.area, work.frame.plan.samples, scratch.views[v], buffers.views[v]);
     }

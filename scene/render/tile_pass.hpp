@@ -19,8 +19,8 @@ struct TileScratch {
     raster::TileVisibility visibility;
     raster::Run runs[raster::kTileSide * raster::kTileSide];
     int run_count = 0;
-    raster::Fragments fragments;
-    lighting::LightingChannels lighting;
+    std::unique_ptr<raster::Fragments> fragments;          ///< only where a pass works on points
+    std::unique_ptr<lighting::LightingChannels> lighting;  ///< with them, and for an environment behind the objects
     TileColor color;
     bool color_is_background = false;  ///< nothing was drawn in the tile before: the next one can start with its colour
     std::vector<TileColor> views;      ///< one for each of the plan's
@@ -45,7 +45,7 @@ void render_tiles(const Frame& frame);
 void work_batch(const Frame& frame, const raster::TileArea& area, std::span<const PlannedPass> passes,
                 const raster::Run* runs, int count, TileScratch& scratch);
 
-/// Make the thread's memory ready for a frame: times and counts at zero.
+/// Make the thread's memory ready for a frame: what the plan's passes work on is there, times and counts at zero.
 void prepare_scratch(const RenderPlan& plan, TileScratch& scratch);
 
 }  // namespace kreda::scene

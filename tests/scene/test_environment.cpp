@@ -155,6 +155,7 @@ TEST_CASE("environment: only what the scene requires is baked") {
 TEST_CASE("environment: the plan counts what is baked and the bytes of the very maps") {
     Scene scene = ball("model = \"cook_torrance\"\n", even, "samples = 64\n");
     scene.image.environment_background = true;
+    const auto make_plan = [](const Scene& of) { return make_plan_for(of, PlanRequest{.prune = false}); };
     const RenderPlan plan = make_plan(scene);
     const lighting::EnvironmentMaps maps = prepare_environment(scene.environment, plan.environment).maps;
     const auto pass = [&](const RenderPlan& of, const char* name) {
@@ -187,6 +188,37 @@ TEST_CASE("environment: the plan counts what is baked and the bytes of the very 
     dark.environment.on = false;
     CHECK(baking_operations(make_plan(dark)) == 0.0);
     CHECK(total_operations(make_plan(dark)) < total_operations(plan));
+}
+
+TEST_CASE("environment: only the levels that a roughness reads are baked, and they are the same to the bit") {
+    const auto plan_of = [](const std::string& keys) {
+        return make_plan(ball("model = \"cook_torrance\"\n" + keys, even, "samples = 64\n"));
+    };
+    const RenderPlan half = plan_of("roughness = 0.5\n"), mirror = plan_of("roughness = 0\n");
+    // alpha = 0.25 lies on level 7 + log2 0.25 = 5, alpha = 0 (or the least there is) between the levels 0 and 1.
+    CHECK(half.environment.first_level == 5);
+    CHECK(half.environment.last_level == 6);
+    CHECK(mirror.environment.first_level == 0);
+    CHECK(mirror.environment.last_level == 1);
+    const Scene scene = ball("model = \"cook_torrance\"\nroughness = 0.5\n", even, "samples = 64\n");
+    lighting::EnvironmentNeeds all = half.environment;
+    all.first_level = 0;
+    all.last_level = lighting::kPrefilterLevels - 1;
+    CHECK(covers(all, half.environment));
+    CHECK_FALSE(covers(half.environment, all));
+    CHECK_FALSE(covers(half.environment, mirror.environment));
+    const lighting::CubeMap few = prepare_environment(scene.environment, half.environment).maps.prefiltered;
+    const lighting::CubeMap full = prepare_environment(scene.environment, all).maps.prefiltered;
+    REQUIRE(few.last_level() == 6);
+    for (const int level : {5, 6}) {
+        CHECK(few.levels[level].size == full.levels[level].size);
+        const glm::vec3 d(0.3f, -0.5f, 0.8f);
+        CHECK(sample_level(few, level, d) == sample_level(full, level, d));
+    }
+    CHECK(few.texels.size() < full.texels.size() / 20);
+    const RenderPlan metal = plan_of("metallic = 1\n"), dark = plan_of("ao = 0\n");
+    CHECK_FALSE(metal.environment.irradiance);
+    CHECK_FALSE(dark.environment.any());
 }
 
 TEST_CASE("environment: one that is off changes no bit") {

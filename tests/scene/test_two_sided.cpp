@@ -9,7 +9,7 @@
 #include "raster/tangents.hpp"
 #include "scene/files/read_scene.hpp"
 #include "scene/render/render.hpp"
-#include "scene/render/sides.hpp"
+#include "scene/sides.hpp"
 
 using namespace kreda;
 using namespace kreda::scene;

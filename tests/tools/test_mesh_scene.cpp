@@ -37,8 +37,7 @@ TEST_CASE("The camera around a mesh sees all of it between its near and far plan
             obj += "v " + coordinate(0) + " " + coordinate(1) + " " + coordinate(2) + "\n";
         }
         folder.write("box.obj", obj + "f 1 2 4 3\nf 5 7 8 6\nf 1 5 6 2\nf 3 4 8 7\nf 1 3 7 5\nf 2 6 8 4\n");
-        const scene::Scene scene =
-            scene::read_scene_text(tools::scene_around_mesh(folder.file("box.obj"), {}), "around", "");
+        const scene::Scene scene = tools::read_scene_around_mesh(folder.file("box.obj"), {});
         const glm::mat4 clip_from_world = raster::clip_from_world(scene.camera, 640.0f / 360.0f);
         for (const glm::vec3& corner : scene.objects.at(0).mesh->positions) {
             const glm::vec4 clip = clip_from_world * scene.objects[0].world_from_object * glm::vec4(corner, 1.0f);

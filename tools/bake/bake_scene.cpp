@@ -7,7 +7,6 @@
 #include <CLI/CLI.hpp>
 
 #include "scene/files/environment_cache.hpp"
-#include "scene/plan/environment_plan.hpp"
 #include "tools/progress_bar.hpp"
 
 namespace kreda::tools {
@@ -21,8 +20,7 @@ void add_cache_options(CLI::App& command, CacheOptions& options) {
     command.add_flag("--no-cache", options.off, "Bake the environment's maps anew and keep none")->excludes(folder);
 }
 
-void bake_scene(scene::Scene& scene, const CacheOptions& options) {
-    const lighting::EnvironmentNeeds needs = environment_needs(scene);
+void bake_scene(scene::Scene& scene, const lighting::EnvironmentNeeds& needs, const CacheOptions& options) {
     if (!needs.any()) return;
     const std::string named = scene.environment.file;
     ProgressBar bar("baking " + (named.empty() ? "the sky" : std::filesystem::path(named).filename().string()));

@@ -16,7 +16,7 @@ using scene::RenderPlan;
 
 /// The plan of the picture, and every channel that the scene can show.
 RenderPlan plan_with_views(const scene::Scene& scene) {
-    const RenderPlan plan = make_plan(scene);
+    const RenderPlan plan = make_plan_for(scene, scene::PlanRequest{.prune = false});
     std::vector<const scene::View*> views;
     for (const scene::View& view : scene::all_views()) {
         if (can_show(plan, scene, view)) views.push_back(&view);
@@ -138,7 +138,7 @@ SampleFacts look_at_sample(const Frame& frame, int x, int y) {
     const raster::Run run{static_cast<std::uint16_t>(x - area.x), static_cast<std::uint16_t>(y - area.y), 1,
                           sample.seen().triangle.material, sample.seen().id};
     work_batch(frame, area, find_batch_passes(frame.tile_passes), &run, 1, *sample.passes);
-    sample.radiance = sample.passes->lighting.radiance.at(0);
+    sample.radiance = sample.passes->lighting->radiance.at(0);
     return sample;
 }
 

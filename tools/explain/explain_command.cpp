@@ -8,6 +8,7 @@
 #include <CLI/CLI.hpp>
 
 #include "scene/error.hpp"
+#include "scene/plan/environment_plan.hpp"
 #include "tools/bake/bake_scene.hpp"
 #include "tools/commands.hpp"
 #include "tools/explain/explain.hpp"
@@ -53,7 +54,7 @@ void explain_command(const ExplainOptions& options) {
     }
     scene::Scene scene = load_scene(options.scene);
     check_request(scene.image, request);
-    bake_scene(scene, options.cache);
+    bake_scene(scene, environment_needs(scene), options.cache);
     const Explanation explanation = explain_pixel(scene, request, options.threads);
     if (options.format == "json")
         std::cout << as_json(explanation.derivation);

@@ -104,7 +104,7 @@ void explain_corners(const SampleFacts& sample, Derivation& derivation) {
             derivation);
     }
     Section section{"between", "between the corners", {}};
-    section.equation("radiance", "Σ b_i radiance_i", "", sample.passes->fragments.color.at(0),
+    section.equation("radiance", "Σ b_i radiance_i", "", sample.passes->fragments->color.at(0),
                      "shading.frequency = \"gouraud\": colours are interpolated, not lit again");
     derivation.sections.push_back(section);
 }
@@ -130,7 +130,7 @@ void explain_centroid(const SampleFacts& sample, Derivation& derivation) {
 void explain_fog_factor(const SampleFacts& sample, Section& section) {
     const lighting::LightingSetup& setup = sample.frame.lighting;
     const lighting::Fog& fog = setup.fog;
-    const glm::vec3 p = sample.passes->fragments.position.at(0);
+    const glm::vec3 p = sample.passes->fragments->position.at(0);
     const bool planar = fog.distance == lighting::FogDistance::planar;
     const float z =
         planar ? lighting::planar_distance(p, setup.eye, setup.forward) : lighting::radial_distance(p, setup.eye);
@@ -138,7 +138,7 @@ void explain_fog_factor(const SampleFacts& sample, Section& section) {
         "z_p", planar ? "(p - eye)·forward" : "|p - eye|",
         planar ? dot_text(p - setup.eye, setup.forward) : "|" + vector_text(p) + " - " + vector_text(setup.eye) + "|",
         z, planar ? "distance from the plane of the eye" : "distance from the eye");
-    const float f = sample.passes->lighting.fog.at(0);
+    const float f = sample.passes->lighting->fog.at(0);
     const std::string d = number_text(fog.density), z_text = number_text(z);
     switch (fog.mode) {
         case lighting::FogMode::none: return;
@@ -160,7 +160,7 @@ void explain_interpolation(const SampleFacts& sample, Derivation& derivation) {
     const raster::VertexStreams& streams = sample.frame.buffers.streams;
     const std::uint32_t material = sample.seen().triangle.material;
     const raster::FragmentNeeds& needs = sample.frame.plan.fragment_of_material[material];
-    const raster::Fragments& f = sample.passes->fragments;
+    const raster::Fragments& f = *sample.passes->fragments;
     const std::array<std::uint32_t, 3> v = sample.seen().triangle.vertex;
     const glm::vec3 b =
         corner_weights_at(streams, sample.seen().triangle, sample.x, sample.y, sample.frame.plan.interpolation);
@@ -180,7 +180,7 @@ void explain_interpolation(const SampleFacts& sample, Derivation& derivation) {
 void explain_shading(const SampleFacts& sample, Derivation& derivation) {
     switch (sample.frame.plan.frequency) {
         case ShadingFrequency::phong:
-            explain_lighting({sample.frame, sample.passes->fragments, sample.seen().triangle.material, "", ""},
+            explain_lighting({sample.frame, *sample.passes->fragments, sample.seen().triangle.material, "", ""},
                              derivation);
             return;
         case ShadingFrequency::gouraud: return explain_corners(sample, derivation);
@@ -195,9 +195,9 @@ void explain_fog(const SampleFacts& sample, Derivation& derivation) {
     if (plan.fog_at_pixels)
         explain_fog_factor(sample, section);
     else
-        section.equation("f", "Σ b_i f_i", "", sample.passes->lighting.fog.at(0),
+        section.equation("f", "Σ b_i f_i", "", sample.passes->lighting->fog.at(0),
                          "fog.frequency = \"vertex\": interpolated");
-    const float f = sample.passes->lighting.fog.at(0);
+    const float f = sample.passes->lighting->fog.at(0);
     section.equation("c_f", "", "", sample.frame.lighting.fog.color, "the fog's colour");
     section.equation(
         "radiance", "f radiance + (1 - f) c_f",
@@ -209,7 +209,7 @@ void explain_fog(const SampleFacts& sample, Derivation& derivation) {
 void explain_channels(const SampleFacts& sample, Derivation& derivation) {
     Section section{"channels", "every channel that the passes left", {}};
     Table table{"channels", {"channel", "value", "what it is"}, {}};
-    const scene::BatchChannels batch{sample.passes->fragments, sample.passes->lighting};
+    const scene::BatchChannels batch{*sample.passes->fragments, *sample.passes->lighting};
     for (const scene::View* view : sample.frame.plan.views) {
         if (!view->holds(sample.frame.plan, sample.seen().triangle.material)) continue;
         std::string value = number_text(sample.seen().depth);

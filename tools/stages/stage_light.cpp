@@ -26,8 +26,13 @@ using scene::View;
 /// With more lights, only the first get pictures of their own.
 constexpr std::size_t kMaxLightsShown = 8;
 
+/// The plan of everything that somebody may look at.
+RenderPlan full_plan(const Scene& scene) {
+    return make_plan_for(scene, scene::PlanRequest{.prune = false});
+}
+
 std::vector<const View*> shown_views(const Scene& scene) {
-    const RenderPlan plan = make_plan(scene);
+    const RenderPlan plan = full_plan(scene);
     std::vector<const View*> views;
     for (const View& view : scene::all_views()) {
         if (can_show(plan, scene, view)) views.push_back(&view);
@@ -46,7 +51,7 @@ std::vector<std::size_t> lights_on(const Scene& scene) {
 /// What belongs to one light and goes dark with it: l, what arrives, its shadow, D, V, F.
 bool is_of_one_light(const Scene& scene, const View& view) {
     const Scene dark = with_only_light(scene, scene.lights.size());
-    return !can_show(make_plan(dark), dark, view);
+    return !can_show(full_plan(dark), dark, view);
 }
 
 std::vector<std::string> component_names(const View& view) {
@@ -112,10 +117,10 @@ void visit_one_light(const Scene& scene, std::size_t light, const std::vector<co
         if (!lit_early) views.push_back(scene::find_view(name));
     }
     if (lit_early) views.push_back(scene::find_view("radiance"));
-    const RenderPlan plan = make_plan(alone);
+    const RenderPlan plan = full_plan(alone);
     std::erase_if(views, [&](const View* view) { return !can_show(plan, alone, *view); });
     scene::RenderBuffers buffers;
-    render(alone, make_plan(alone, views), buffers);
+    render(alone, make_plan_for(alone, scene::PlanRequest{.views = views, .prune = false}), buffers);
     const auto visit_stage = [&](Stage stage) {
         const std::string number = std::to_string(light);
         stage.name = "light_" + number + "_" + stage.name;

@@ -10,6 +10,7 @@
 
 #include "scene/error.hpp"
 #include "scene/files/image_file.hpp"
+#include "scene/plan/environment_plan.hpp"
 #include "tools/bake/bake_scene.hpp"
 #include "tools/commands.hpp"
 #include "tools/draw/slide.hpp"
@@ -127,7 +128,7 @@ void stages_command(const StagesOptions& options) {
     std::optional<PixelRectangle> part;
     if (!options.zoom.empty()) part = read_zoom(options.zoom, scene.image);
     make_folder((fs::path(options.output) / "values").string());
-    bake_scene(scene, options.cache);
+    bake_scene(scene, environment_needs(scene), options.cache);
     StageWriter writer(options, scene, ground);
     const auto write = [&](const Stage& stage) { writer.write(stage); };
     if (part) {

@@ -1,7 +1,9 @@
-// Two-sided lighting: which triangles show the side that their normals point away from. The pass is find_sides().
+// Two-sided lighting: which triangles show the side that their normals point away from.
 #pragma once
 
 #include <glm/vec3.hpp>
+
+#include "raster/triangle_setup.hpp"
 
 namespace kreda::scene {
 
@@ -13,5 +15,17 @@ namespace kreda::scene {
 /// points away from the viewer, and where that is not clear, if the normal is not on the viewer's side of it.
 [[nodiscard]] bool seen_from_behind(bool behind, const glm::vec3& front_normal, const glm::vec3& normal,
                                     const glm::vec3& to_viewer);
+
+/// From where a picture is seen.
+struct Viewer {
+    glm::vec3 eye{0.0f};      ///< world space
+    glm::vec3 forward{0.0f};  ///< unit, into the scene
+    bool orthographic = false;
+};
+
+/// That question for a triangle that reached the tiles, whose `behind` is what its winding says. The streams hold
+/// positions and normals.
+[[nodiscard]] bool find_side(const raster::VertexStreams& streams, const Viewer& viewer,
+                             const raster::ScreenTriangle& triangle);
 
 }  // namespace kreda::scene
