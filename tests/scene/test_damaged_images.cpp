@@ -190,7 +190,7 @@ TEST_CASE("damaged images: after a crash images are read as before") {
     const TempFolder folder;
     const std::string broken = folder.write("broken.tga", tga_without_colors());
     const std::string good = folder.write("good.png", kreda::tests::one_pixel_png(8, 2, "\x33\x66\x99"));
-    const std::vector<float> values = read_image(good).values;
+    const auto values = read_image(good).values;
     REQUIRE(values.size() == 3);
     CHECK(values[0] == doctest::Approx(51.0 / 255));
     CHECK(is_line_about(complaint_of(broken), broken));

@@ -23,16 +23,20 @@ raster::Image three_channels(const raster::Image& image) {
 raster::Image SweepRenderer::draw(const std::vector<std::string>& values) {
     SceneOptions options = options_;
     options.read.overrides.insert(options.read.overrides.end(), values.begin(), values.end());
-    scene::Scene scene = load_scene(options);
-    const scene::RenderPlan plan = view_ ? make_plan(scene, {view_}) : make_plan(scene);
-    bake_scene(scene, cache_);
+    scene::PlanRequest request;
+    if (view_) request = {.views = {view_}, .film = false};
+    auto [scene, plan] = load_and_plan(options, request);
+    options_.quiet = true;  // what was said of the first picture holds for the others
+    bake_scene(scene, plan.environment, cache_);
     render(scene, plan, buffers_, threads_);
     return view_ ? three_channels(picture_of(*view_, buffers_.views[0], scene).encoded)
                  : raster::develop(buffers_.film, film_settings(scene.image));
 }
 
 glm::ivec2 SweepRenderer::picture_size() {
-    const scene::Scene scene = load_scene(options_);
+    SceneOptions options = options_;
+    options.quiet = true;
+    const scene::Scene scene = load_scene(options);
     return {scene.image.width, scene.image.height};
 }
 
