@@ -47,9 +47,7 @@ std::vector<PlannedScene> five_scenes(glm::ivec2 size) {
         {"fog", make_scene(size, ReflectionModel::phong, ShadingFrequency::phong)},
         {"shadow", make_scene(size, ReflectionModel::cook_torrance, ShadingFrequency::phong)}};
     scenes[0].scene.materials[1].model = ReflectionModel::unlit;  // the ground, too: no lamp matters
-    scenes[3].scene.fog.mode = lighting::FogMode::exp;
-    scenes[3].scene.fog.color = kDust;
-    scenes[3].scene.fog.density = 0.12f;
+    scenes[3].scene.fog = {.mode = lighting::FogMode::exp, .color = kDust, .density = 0.12f};
     scenes[4].scene.lights[0].shadow = true;
     return scenes;
 }
@@ -82,17 +80,14 @@ void draw_cell(Image& picture, const scene::RenderPlan& plan, const scene::Plann
 /// that shines on backs alone, fog of density 0.
 scene::Scene crowded_scene(glm::ivec2 size) {
     scene::Scene scene = make_scene(size, lighting::ReflectionModel::phong, scene::ShadingFrequency::phong);
-    scene.lights[0].shadow = true;
     add_shape(scene, "sphere", 64, {0.0f, 1.0f, 9.0f}, microfacet(kOrange, 0.0f, 0.3f));
-    scene.lights.push_back(point_light({0.0f, 2.0f, 2.0f}, 0.0f));
-    scene.lights.push_back(directional_light({0.0f, 0.2f, 1.0f}));
-    for (std::size_t k = 2; k < 4; ++k) scene.lights[k].shadow = true;
-    scene.fog.mode = lighting::FogMode::exp;
-    scene.fog.density = 0.0f;
+    scene.lights.insert(scene.lights.end(), {point_light({0, 2, 2}, 0.0f), directional_light({0.0f, 0.2f, 1.0f})});
+    scene.lights[0].shadow = scene.lights[2].shadow = scene.lights[3].shadow = true;
+    scene.fog = {.mode = lighting::FogMode::exp, .density = 0.0f};
     return scene;
 }
 
-/// The same picture by the plan that leaves nothing out and by the one that does, and what each of them takes.
+/// The same picture by the plan that leaves nothing out and by the one that does, and what they take.
 void draw_pruned(const Options& options) {
     const int scale = text_scale(options.height), half = options.width / 2, bottom = 44 * scale;
     const scene::Scene scene = crowded_scene({half - 4, options.height - bottom});
@@ -100,19 +95,15 @@ void draw_pruned(const Options& options) {
     for (const bool prune : {false, true}) {
         const scene::RenderPlan plan = make_plan_for(scene, scene::PlanRequest{.prune = prune});
         scene::RenderBuffers buffers;
-        const scene::RenderStatistics statistics = render(scene, plan, buffers);
+        const double ms = render(scene, plan, buffers).times.total_ms;
         const int x = prune ? half + 2 : 2, y = options.height - bottom + 4 * scale;
+        char line[3][64];
+        std::snprintf(line[0], 64, "%s: %zu passes", prune ? "what is seen" : "everything", plan.passes.size());
+        std::snprintf(line[1], 64, "%.1f million operations", 1e-6 * total_operations(plan));
+        std::snprintf(line[2], 64, "%.1f MB", 1e-6 * static_cast<double>(total_bytes(plan)));
+        for (int i = 0; i < 3; ++i) draw_text(picture, x, y + 12 * i * scale, line[i], i ? kChalk : kYellow, scale);
         paste(picture, buffers.film, x, 0);
-        char line[64];
-        std::snprintf(line, sizeof line, "%zu passes", plan.passes.size());
-        draw_text(picture, x, y, std::string(prune ? "what is seen: " : "everything: ") + line, kYellow, scale);
-        std::snprintf(line, sizeof line, "%.1f million operations", 1e-6 * total_operations(plan));
-        draw_text(picture, x, y + 12 * scale, line, kChalk, scale);
-        std::snprintf(line, sizeof line, "%.1f MB", 1e-6 * static_cast<double>(total_bytes(plan)));
-        draw_text(picture, x, y + 24 * scale, line, kChalk, scale);
-        std::printf("%-12s %2zu passes, %6.2f million operations, %8llu bytes, %.2f ms\n",
-                    prune ? "what is seen" : "everything", plan.passes.size(), 1e-6 * total_operations(plan),
-                    static_cast<unsigned long long>(total_bytes(plan)), statistics.times.total_ms);
+        std::printf("%s, %s, %s, %.2f ms\n", line[0], line[1], line[2], ms);
     }
     save(options, "pruned", picture);
 }
@@ -122,10 +113,8 @@ void draw(const Options& options) {
     const int column = (options.width - left) / 5, row = (options.height - top) / static_cast<int>(kPasses.size());
     const std::vector<PlannedScene> scenes = five_scenes({column - 4, top - 12 * scale});
     Image picture = make_board(options.width, options.height);
-    for (int r = 0; r < static_cast<int>(kPasses.size()); ++r) {
-        draw_text(picture, 4 * scale, top + r * row + row / 2 - 3 * scale, kPasses[static_cast<std::size_t>(r)], kChalk,
-                  scale);
-    }
+    for (std::size_t r = 0; r < kPasses.size(); ++r)
+        draw_text(picture, 4 * scale, top + static_cast<int>(r) * row + row / 2 - 3 * scale, kPasses[r], kChalk, scale);
     for (int c = 0; c < 5; ++c) {
         const auto& [name, scene] = scenes[static_cast<std::size_t>(c)];
         const scene::RenderPlan plan = make_plan(scene);

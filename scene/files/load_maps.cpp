@@ -206,17 +206,17 @@ void load_maps(Scene& scene, const std::vector<bool>& materials) {
                         Wanted& wanted = files[way_of(material.maps, use)];
                         wanted.with_pyramid |= material.maps.filter == lighting::TextureFilter::trilinear;
                     });
-    for_each_wanted(scene, materials, [&](const lighting::Material& material, const lighting::MapUse& use,
-                                          lighting::Map& map) {
-        Wanted& wanted = files[way_of(material.maps, use)];
-        const bool is_height = use.kind == MapKind::normal && material.maps.normal_from_height;
-        if (!wanted.texture && is_height) {
-            const raster::Image normals = normals_of_bump(map.file, material.maps, scene.warnings);
-            wanted.texture = std::make_shared<raster::Texture>(raster::make_texture(normals, wanted.with_pyramid));
-        }
-        if (!wanted.texture) wanted.texture = load_texture(map.file, use.kind, wanted.with_pyramid, scene.warnings);
-        map.texture = wanted.texture;
-    });
+    for_each_wanted(
+        scene, materials, [&](const lighting::Material& material, const lighting::MapUse& use, lighting::Map& map) {
+            Wanted& wanted = files[way_of(material.maps, use)];
+            const bool is_height = use.kind == MapKind::normal && material.maps.normal_from_height;
+            if (!wanted.texture && is_height) {
+                const raster::Image normals = normals_of_bump(map.file, material.maps, scene.warnings);
+                wanted.texture = std::make_shared<raster::Texture>(raster::make_texture(normals, wanted.with_pyramid));
+            }
+            if (!wanted.texture) wanted.texture = load_texture(map.file, use.kind, wanted.with_pyramid, scene.warnings);
+            map.texture = wanted.texture;
+        });
     add_tangents(scene);
 }
 

@@ -128,13 +128,18 @@ void add_byte_colors(const Value& value, std::vector<std::string>& warnings) {
             .what());
 }
 
+/// A material with a colour for either family of models is written to be tried with both: nothing is forgotten there.
+bool is_for_either_family(const Value& table) {
+    return find(table, "diffuse") && find(table, "albedo");
+}
+
 }  // namespace
 
 std::vector<std::string> unread_keys(const Value& table, const Material& material) {
     std::vector<std::string> warnings;
     for (const KeyUse& use : kKeyUses) {
         const Value* const value = find(table, use.key);
-        if (!value || use.is_read(material)) continue;
+        if (!value || use.is_read(material) || is_for_either_family(table)) continue;
         warnings.push_back(UserError(value->key_place, in_quotes(use.key) + " in [[material]] is not read by " +
                                                            model_text(material) + "; " + std::string(use.remedy))
                                .what());

@@ -88,9 +88,7 @@ std::string passes_with(const std::string& more, std::vector<std::string> args =
     const Outcome outcome = run_with(more, args);
     REQUIRE(outcome.exit_code == 0);
     const nlohmann::json json = nlohmann::json::parse(outcome.out);
-    for (const auto& pass : json.at("passes")) {
-        names += pass.at("name").get<std::string>() + "; ";
-    }
+    for (const auto& pass : json.at("passes")) { names += pass.at("name").get<std::string>() + "; "; }
     return names;
 }
 

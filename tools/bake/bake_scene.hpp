@@ -19,7 +19,8 @@ struct CacheOptions {
 /// --cache DIR and --no-cache.
 void add_cache_options(CLI::App& command, CacheOptions& options);
 
-/// Make the maps that a plan of this scene requires (RenderPlan::environment), if any. A cache that cannot be written is a word on stderr.
+/// Make the maps that a plan of this scene requires (RenderPlan::environment), if any. A cache that cannot be written
+/// is a word on stderr.
 void bake_scene(scene::Scene& scene, const lighting::EnvironmentNeeds& needs, const CacheOptions& options);
 
 }  // namespace kreda::tools
