@@ -14,8 +14,8 @@ using namespace kreda::tests;
 using namespace kreda::tools;
 
 TEST_CASE("csv: a table comes back with commas and quotes and line breaks") {
-    const Table table{{"a, b", "c"}, {{"1", "say \"x\""}, {"two\nlines", ""}}};
-    const Table back = table_of_csv(csv_of(table));
+    const ResultTable table{{"a, b", "c"}, {{"1", "say \"x\""}, {"two\nlines", ""}}};
+    const ResultTable back = table_of_csv(csv_of(table));
     CHECK(back.columns == table.columns);
     CHECK(back.rows == table.rows);
 }

@@ -33,13 +33,13 @@ std::string fixed(double number, int places) {
     return text;
 }
 
-std::string csv_of(const Table& table) {
+std::string csv_of(const ResultTable& table) {
     std::string csv = line_of(table.columns);
     for (const std::vector<std::string>& row : table.rows) csv += line_of(row);
     return csv;
 }
 
-Table table_of_csv(const std::string& csv) {
+ResultTable table_of_csv(const std::string& csv) {
     std::vector<std::vector<std::string>> lines;
     std::vector<std::string> cells(1);
     bool in_quotes = false;

@@ -9,7 +9,7 @@
 namespace kreda::tools {
 
 /// Every row has a cell for each column.
-struct Table {
+struct ResultTable {
     std::vector<std::string> columns;  ///< names with their units: "time [ms]"
     std::vector<std::vector<std::string>> rows;
 
@@ -25,8 +25,8 @@ struct Table {
 [[nodiscard]] std::string fixed(double number, int places);
 
 /// The table as RFC 4180 has it, a line a row, the first of the names; and the other way round.
-[[nodiscard]] std::string csv_of(const Table& table);
-[[nodiscard]] Table table_of_csv(const std::string& csv);
+[[nodiscard]] std::string csv_of(const ResultTable& table);
+[[nodiscard]] ResultTable table_of_csv(const std::string& csv);
 
 struct Series {
     std::string name;
@@ -41,7 +41,7 @@ struct Plot {
 };
 
 struct Finding {
-    Table table;
+    ResultTable table;
     Plot plot;
     std::string text;  ///< one paragraph
 };

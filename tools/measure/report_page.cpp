@@ -22,7 +22,7 @@ std::string bytes_of_file(const fs::path& path) {
     return {std::istreambuf_iterator<char>(stream), std::istreambuf_iterator<char>()};
 }
 
-std::string table_html(const Table& table) {
+std::string table_html(const ResultTable& table) {
     std::string html =
         "<details><summary>" + std::to_string(table.rows.size()) + " rows</summary><div class=\"wide\"><table><tr>";
     for (const std::string& column : table.columns) html += "<th>" + markup_text(column) + "</th>";

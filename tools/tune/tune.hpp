@@ -29,7 +29,7 @@ struct TuneOptions {
     std::optional<double> budget_ms;  ///< of a picture, with its share of baking
     int frames = 1;                   ///< that baking is shared among
     int probe_pixels = 16'000;        ///< of the pictures that single options are measured on
-    double oracle_seconds = 60.0;     ///< that the truth may take at most, about: fewer samples are taken if need be
+    double oracle_seconds = 20.0;     ///< that the truth may take at most, about: fewer samples are taken if need be
     int rounds = 3;                   ///< that an option is timed
     int threads = 0;
     CostBy cost_by = CostBy::time;
