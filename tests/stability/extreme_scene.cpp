@@ -74,10 +74,12 @@ double number_within(const KeyInfo& key, Chance& chance) {
     const double inner = key.range.open ? 1e-6 * (greatest - least) : 0.0;
     const auto in_range = [&](double x) { return std::clamp(x, least + inner, greatest - inner); };
     const double plain[] = {0.0, 1e-8, 0.1, 0.5, 1.0, 2.0, 5.0, 30.0, -1.0, 1.0 + 1e-7};
-    switch (chance.below(6)) {
+    switch (chance.below(8)) {
         case 0: return in_range(least);
-        case 1: return in_range(greatest);
-        case 2: return in_range(std::exp2(60.0 * chance.share() - 30.0) * (chance.one_in(2) ? 1.0 : -1.0));
+        case 1:
+        case 2:
+        case 3: return in_range(greatest);
+        case 4: return in_range(std::exp2(60.0 * chance.share() - 30.0) * (chance.one_in(2) ? 1.0 : -1.0));
         default: return in_range(plain[chance.below(10)]);
     }
 }
@@ -101,6 +103,13 @@ std::string value_of(const KeyInfo& key, Chance& chance) {
         const char* const shapes[] = {"\"sphere\"", "\"cube\"", "\"plane\"", "\"torus\""};
         return shapes[chance.below(4)];
     }
+    if (name ==
+        "light.position") {  // in corners of the shapes, where vertices are lit from distance 0, and beside them
+        const char* const places[] = {"[0.0, 1.0, 0.0]", "[0.0, -1.0, 0.0]",  "[1.0, 0.0, 0.0]",      "[0.0, 0.0, 0.0]",
+                                      "[0.5, 0.5, 0.5]", "[-1.0, 0.0, -1.0]", "[0.0, 1.0000001, 0.0]"};
+        return places[chance.below(7)];
+    }
+    if (name == "light.attenuation" && chance.one_in(2)) return "\"physical\"";
     if (name == "light.cone") {
         const char* const cones[] = {"[0.0, 0.0]", "[0.0, 180.0]", "[20.0, 20.00001]", "[90.0, 180.0]", "[1e-9, 30.0]"};
         return cones[chance.below(5)];
@@ -127,7 +136,7 @@ std::string table_text(const std::string& table, Chance& chance) {
     const bool stays_put = chance.one_in(2);
     for (const KeyInfo& key : scene::scene_keys()) {
         if (key.table != table) continue;
-        const bool is_place = key.range.greatest > 1e20 || table == "camera";
+        const bool is_place = (key.range.greatest > 1e20 && table != "light") || table == "camera";
         const bool is_map = key.key.ends_with("_map") || key.key == "bump_scale";
         const bool is_needed = key.key == "mesh" || key.key == "material" || key.key == "name" || key.key == "size" ||
                                key.key == "ior" || key.key == "sky";
