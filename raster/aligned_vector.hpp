@@ -10,32 +10,32 @@
 
 namespace kreda::raster {
 
-inline constexpr std::size_t kCacheLine = 64;
+inline constexpr std::size_t kCacheLine = 64;  ///< bytes, on every x86 and most ARM processors
 
 /// At least `bytes` bytes from the start of a cache line; of several huge pages' size, huge pages where the system has
 /// them: scattered reads of vertices then miss the page table less often. Throws std::bad_alloc.
 [[nodiscard]] void* allocate_aligned(std::size_t bytes);
-void free_aligned(void* memory, std::size_t bytes) noexcept;
+void free_aligned(void* memory, std::size_t bytes) noexcept;  ///< as many bytes as were asked for
 
 /// What std::vector asks for its memory.
 template <typename T>
 struct AlignedAllocator {
-    using value_type = T;
+    using value_type = T;  ///< of the vector
 
     AlignedAllocator() = default;
     template <typename U>
-    AlignedAllocator(const AlignedAllocator<U>&) noexcept {}
+    AlignedAllocator(const AlignedAllocator<U>&) noexcept {}  ///< they hold nothing
 
     [[nodiscard]] T* allocate(std::size_t count) {
         return static_cast<T*>(allocate_aligned(count * sizeof(T)));
-    }
+    }  ///< room for so many, not yet made
     void deallocate(T* memory, std::size_t count) noexcept {
         free_aligned(memory, count * sizeof(T));
-    }
-    bool operator==(const AlignedAllocator&) const = default;
+    }                                                          ///< what allocate(count) gave
+    bool operator==(const AlignedAllocator&) const = default;  ///< always: one frees what another gave
 };
 
 template <typename T>
-using AlignedVector = std::vector<T, AlignedAllocator<T>>;
+using AlignedVector = std::vector<T, AlignedAllocator<T>>;  ///< begins with a cache line
 
 }  // namespace kreda::raster

@@ -5,7 +5,7 @@
 
 namespace kreda::shadows {
 
-inline constexpr int kRowsPerBand = 16;
+inline constexpr int kRowsPerBand = 16;  ///< rows of samples
 
 /// Rows first .. last, both included.
 struct RowBand {
@@ -14,7 +14,7 @@ struct RowBand {
 
 [[nodiscard]] inline int count_bands(int rows) {
     return (rows + kRowsPerBand - 1) / kRowsPerBand;
-}
+}  ///< of a grid of so many rows
 
 /// Band 0 .. count_bands(rows) - 1 of a grid of so many rows; the last one may be lower than the others.
 [[nodiscard]] inline RowBand row_band(int band, int rows) {

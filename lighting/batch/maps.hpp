@@ -40,7 +40,7 @@ struct MapUse {
 
 /// Does the material's model read a map that is given? One that bends normals?
 [[nodiscard]] bool reads_maps(const Material& material);
-[[nodiscard]] bool reads_normal_map(const Material& material);
+[[nodiscard]] bool reads_normal_map(const Material& material);  ///< one that bends normals
 
 /// The maps that the material's model reads and whose texels are there; the others are empty.
 [[nodiscard]] MaterialMaps maps_in_use(const Material& material);
