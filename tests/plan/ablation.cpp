@@ -65,7 +65,7 @@ std::vector<float> draw(const Scene& scene, const RenderPlan& plan, Scene* keep 
     render(scene, plan, buffers, 1);
     if (keep) keep->environment.prepared = buffers.environment;
     std::vector<float> values;
-    if (plan.film) values = buffers.film.values;
+    if (plan.film) values.assign(buffers.film.values.begin(), buffers.film.values.end());
     for (const raster::Image& view : buffers.views) values.insert(values.end(), view.values.begin(), view.values.end());
     return values;
 }

@@ -126,14 +126,15 @@ TEST_CASE("maps: floating-point files are linear and what no map may hold is cla
     write_exr(folder.file("a.exr"), image);
     std::vector<std::string> warnings;
     const auto texture = load_texture(folder.file("a.exr"), MapKind::color, false, warnings);
-    CHECK(texture->texels == std::vector<float>{0.5f, 0.0f, 0.0f, 1.0f, 0.25f, 1.0f});
+    CHECK(texture->texels == raster::AlignedVector<float>{0.5f, 0.0f, 0.0f, 1.0f, 0.25f, 1.0f});
     REQUIRE(warnings.size() == 2);
     CHECK(has(warnings[0], "1 values are NaN or infinite"));
     CHECK(has(warnings[1], "2 values are outside of 0..1"));
     raster::Image flat = raster::make_image(1, 1, 3);
     flat.values = {0.5f, 0.5f, 1.0f};
     write_exr(folder.file("n.exr"), flat);
-    CHECK(load_texture(folder.file("n.exr"), MapKind::normal, false, warnings)->texels == std::vector<float>{0, 0, 1});
+    CHECK(load_texture(folder.file("n.exr"), MapKind::normal, false, warnings)->texels ==
+          raster::AlignedVector<float>{0, 0, 1});
 }
 
 TEST_CASE("maps: an even map gives the picture of its constant at every frequency") {
