@@ -27,7 +27,11 @@ raster::Image SweepRenderer::draw(const std::vector<std::string>& values) {
     if (view_) request = {.views = {view_}, .film = false};
     auto [scene, plan] = load_and_plan(options, request);
     options_.quiet = true;  // what was said of the first picture holds for the others
-    bake_scene(scene, plan.environment, cache_);
+    // The same file is the same light, and what was baked of it serves again.
+    if (scene.environment.file == environment_.file) scene.environment.image = environment_.image;
+    environment_ = scene.environment;
+    const bool is_baked = buffers_.environment && serves(*buffers_.environment, scene.environment, plan.environment);
+    if (!is_baked) bake_scene(scene, plan.environment, cache_);
     render(scene, plan, buffers_, threads_);
     return view_ ? three_channels(picture_of(*view_, buffers_.views[0], scene).encoded)
                  : raster::develop(buffers_.film, film_settings(scene.image));

@@ -33,6 +33,7 @@ private:
     const scene::View* view_;
     int threads_;
     scene::RenderBuffers buffers_;
+    scene::EnvironmentSettings environment_;  ///< of the picture before
 };
 
 /// How far two encoded pictures of one size are apart, in codes of 8 bits over all three channels.
