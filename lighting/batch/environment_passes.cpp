@@ -90,12 +90,6 @@ KREDA_BATCH_LOOP void add_to_ambient(int lanes, LightingChannels& c) {
     for (int i = 0; i < lanes; ++i) c.ambient.set(i, c.ambient.at(i) + e.diffuse.at(i) + e.specular.at(i));
 }
 
-KREDA_BATCH_LOOP void start_irradiance(int lanes, EnvironmentChannels& e) {
-    for (int i = 0; i < lanes; ++i) {  // not vectorized: GCC makes it calls of memset
-        e.irradiance.set(i, glm::vec3(0.0f));
-    }
-}
-
 /// E; 0 where it is not baked: metals alone reflect nothing diffusely.
 void find_irradiance(int lanes, const EnvironmentSetup& setup, LightingChannels& c) {
     EnvironmentChannels& e = c.environment;

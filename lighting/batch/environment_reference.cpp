@@ -155,12 +155,6 @@ KREDA_BATCH_LOOP void add_bounced_sample(int lanes, float share, const CookTorra
     }
 }
 
-KREDA_BATCH_LOOP void start_irradiance(int lanes, EnvironmentChannels& e) {
-    for (int i = 0; i < lanes; ++i) {  // not vectorized: GCC makes it calls of memset
-        e.irradiance.set(i, glm::vec3(0.0f));
-    }
-}
-
 KREDA_BATCH_LOOP void start_error(int lanes, EnvironmentChannels& e) {
     for (int i = 0; i < lanes; ++i) e.error.set(i, 0.0f);  // not vectorized: GCC makes it a call of memset
 }
@@ -241,6 +235,12 @@ void sum_environment(int count, const CookTorranceSetup& surface, const Environm
     sample_one_way(count, setup, c.environment, sums, by_cosine, [&] { look(), add_diffuse(); });
     sample_one_way(count, setup, c.environment, sums, by_light, [&] { look(), add_highlight(), add_diffuse(); });
     end_error(lanes, c.environment);
+}
+
+KREDA_BATCH_LOOP void start_irradiance(int lanes, EnvironmentChannels& e) {
+    for (int i = 0; i < lanes; ++i) {  // not vectorized: GCC makes it calls of memset
+        e.irradiance.set(i, glm::vec3(0.0f));
+    }
 }
 
 void sum_irradiance(int count, const EnvironmentSetup& setup, LightingChannels& c) {

@@ -16,4 +16,7 @@ void sum_environment(int count, const CookTorranceSetup& surface, const Environm
 /// The same for the irradiance on n: channels.environment.irradiance, and .error.
 void sum_irradiance(int count, const EnvironmentSetup& setup, LightingChannels& channels);
 
+/// channels.irradiance = 0 at so many points: where there is none, and where a sum begins.
+void start_irradiance(int lanes, EnvironmentChannels& channels);
+
 }  // namespace kreda::lighting

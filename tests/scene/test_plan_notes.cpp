@@ -29,7 +29,7 @@ scene::RenderPlan plan_of(const std::string& text) {
 
 TEST_CASE("plan: a lamp's light on both kinds of model is noted and on one kind is not") {
     const std::string ball = "[[material]]\nname = \"ball\"\nmodel = \"phong\"\n";
-    const std::string seen = ball + "[[object]]\nmesh = \"sphere\"\nmaterial = \"ball\"\n";
+    const std::string seen = ball + "[[object]]\nmesh = \"sphere\"\nscale = 0.2\nmaterial = \"ball\"\n";
     CHECK(plan_of(wall("cook_torrance")).notes.empty());
     CHECK(plan_of(wall("lambert") + seen).notes.empty());
     CHECK(plan_of(wall("cook_torrance") + ball).notes.empty());  // no object is made of it

@@ -242,5 +242,5 @@ TEST_CASE("A file that cannot be read as a scene is one clear line") {
     };
     CHECK(complaint_about("/no/such/scene.toml") == "/no/such/scene.toml: cannot be opened: No such file or directory");
     CHECK(complaint_about("/") == "/: is a folder, not a scene file");
-    CHECK(complaint_about("/dev/zero") == "/dev/zero: is larger than 16 MB; a scene file is text (TOML)");
+    CHECK(complaint_about("/dev/zero") == "/dev/zero: is a pipe or a device, not a scene file");
 }

@@ -156,8 +156,8 @@ TEST_CASE("shadow plan: only what can cast onto something seen is drawn from the
     CHECK(sun.shadows[0].casters == std::vector<int>{1});
     CHECK(sun.shadows[0].map.views.size() == 1);
     CHECK(plan_of(kLamp, "").shadows.at(0).map.views.size() == 6);
-    // From below the floor stands before everything.
-    CHECK(plan_of("direction = [0, 1, 0]", "").shadows.at(0).casters == std::vector<int>{0});
+    // From below no light comes to what is seen from above, and no shadow is asked for.
+    CHECK(plan_of("direction = [0, 1, 0]", "").shadows.empty());
     // A square that casts nothing leaves nothing to be drawn.
     const RenderPlan none = plan_of(kSun, "casts_shadow = false\n");
     CHECK(none.shadows.empty());

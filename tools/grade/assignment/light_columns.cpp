@@ -45,13 +45,13 @@ void list_lights(TableBuilder& builder, std::span<const lighting::LightSetup> li
 lighting::LightSetup light_at(const StageRow& row, std::size_t i) {
     const glm::vec3 kind = row.vec3_at("light_kind_inner_outer", i);
     const glm::vec3 a = row.vec3_at("light_attenuation", i);
-    return {static_cast<lighting::LightType>(static_cast<int>(kind.x)),
-            row.vec3_at("light_position", i),
-            row.vec3_at("light_axis", i),
-            row.vec3_at("light_radiance", i),
-            {a.x, a.y, a.z},
-            kind.y,
-            kind.z};
+    return {.type = static_cast<lighting::LightType>(static_cast<int>(kind.x)),
+            .position = row.vec3_at("light_position", i),
+            .axis = row.vec3_at("light_axis", i),
+            .radiance = row.vec3_at("light_radiance", i),
+            .attenuation = {a.x, a.y, a.z},
+            .cos_inner = kind.y,
+            .cos_outer = kind.z};
 }
 
 void add_material(TableBuilder& builder, const lighting::PhongMaterial& m) {
