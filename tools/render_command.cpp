@@ -240,7 +240,7 @@ std::string view_list() {
     return list;
 }
 
-constexpr const char* kExamples = R"(
+constexpr const char* kRenderExamples = R"(
 A view is a quantity of the pipeline as a picture: an EXR holds its numbers, a PNG shows light as the scene's own picture,
 directions as (x + 1) / 2, shares of 0..1 as 255 x, other numbers between the least (black) and the greatest (white).
 light_depth is as large as the map (shadow.size; six in a row for a point light: +x -x +y -y +z -z), and an EXR of it holds
@@ -292,7 +292,7 @@ void add_render_command(CLI::App& app) {
         ->check(CLI::Range(1, 100000));
     command->add_option("--view", options->view, "Draw this quantity instead of the picture; the list is below")
         ->type_name("NAME");
-    command->footer("\n" + view_list() + kExamples);
+    command->footer("\n" + view_list() + kRenderExamples);
     command->callback([options] { render_command(*options); });
 }
 

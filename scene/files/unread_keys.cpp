@@ -7,6 +7,7 @@
 #include <string_view>
 
 #include "scene/files/scene_keys.hpp"
+#include "scene/microfacet_material.hpp"
 
 namespace kreda::scene {
 
@@ -16,9 +17,6 @@ using lighting::CookTorranceMaterial;
 using lighting::Material;
 using lighting::ReflectionModel;
 
-bool is_microfacet(const Material& m) {
-    return m.model == ReflectionModel::cook_torrance;
-}
 bool is_empirical(const Material& m) {
     return m.model != ReflectionModel::cook_torrance;
 }

@@ -4,6 +4,7 @@
 
 #include "lighting/batch/maps.hpp"
 #include "scene/map_meshes.hpp"
+#include "scene/microfacet_material.hpp"
 
 namespace kreda::scene {
 
@@ -20,10 +21,6 @@ MaterialMask mask_of(const Scene& scene, Test test) {
     MaterialMask mask;
     for (std::size_t m = 0; m < scene.materials.size(); ++m) mask.push_back(test(m));
     return mask;
-}
-
-bool is_microfacet(const Material& material) {
-    return material.model == ReflectionModel::cook_torrance;
 }
 
 bool is_diffuse(const Material& material) {

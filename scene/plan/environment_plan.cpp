@@ -3,15 +3,12 @@
 #include <algorithm>
 
 #include "lighting/batch/maps.hpp"
+#include "scene/microfacet_material.hpp"
 #include "scene/plan/pass_functions.hpp"
 
 namespace kreda::scene {
 
 namespace {
-
-bool is_microfacet(const lighting::Material& material) {
-    return material.model == lighting::ReflectionModel::cook_torrance;
-}
 
 /// Metals reflect nothing diffusely, but for what bounces between their facets.
 bool reflects_diffusely(const lighting::Material& material) {

@@ -134,7 +134,7 @@ void bake_command(const BakeOptions& options) {
     std::cerr << "wrote " << files.size() << " maps, sh9.json and contact_sheet.png to " << options.output << "\n";
 }
 
-constexpr const char* kExamples = R"(
+constexpr const char* kBakeExamples = R"(
 IMAGE should be twice as wide as high: Radiance (.hdr) and OpenEXR (.exr) hold light of any strength; PNG, JPEG, TIFF, WebP and
 whatever else OpenImageIO reads end at 1, and their 8 or 16 bits are decoded as sRGB.
 DIR gets, and files of the same names there are replaced:
@@ -178,7 +178,7 @@ void add_bake_command(CLI::App& app) {
     command->add_option("--geometry", options->geometry, "G of the BRDF map; by default schlick_ggx")
         ->type_name("NAME")
         ->check(CLI::IsMember(words_of("material", "geometry")));
-    command->footer(kExamples);
+    command->footer(kBakeExamples);
     command->callback([options] { bake_command(*options); });
 }
 

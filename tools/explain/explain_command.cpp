@@ -64,7 +64,7 @@ void explain_command(const ExplainOptions& options) {
         std::cout << as_text(explanation.derivation);
 }
 
-constexpr const char* kExamples = R"(
+constexpr const char* kExplainExamples = R"(
 The numbers are those of the real picture: the same functions, on a batch of one pixel. The last line is the byte in the
 PNG. A pixel that shows the background is explained, too: what lies nearest, what was culled, clipped or hidden.
 
@@ -93,7 +93,7 @@ void add_explain_command(CLI::App& app) {
     command->add_option("--format", options->format, "text, md (Markdown) or json")
         ->type_name("FORMAT")
         ->check(CLI::IsMember({"text", "md", "json"}));
-    command->footer(kExamples);
+    command->footer(kExplainExamples);
     command->callback([options] { explain_command(*options); });
 }
 

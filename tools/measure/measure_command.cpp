@@ -41,7 +41,7 @@ std::vector<const Experiment*> chosen(const std::string& name) {
                            (near.empty() ? "; kreda measure list names them" : "; did you mean '" + near + "'?"));
 }
 
-constexpr const char* kExamples = R"(
+constexpr const char* kMeasureExamples = R"(
 Each experiment writes a table (NAME.csv), a plot (NAME.svg, NAME.png: needs gnuplot) and a paragraph (NAME.txt); report.html
 holds them all in one file. What was measured before by the same program is not measured again.
 
@@ -65,7 +65,7 @@ void add_measure_command(CLI::App& app) {
     command->add_option("--threads", options->measure.threads, "Threads of what is rendered; by default one a core")
         ->type_name("N")
         ->check(CLI::Range(1, 256));
-    command->footer(kExamples);
+    command->footer(kMeasureExamples);
     command->callback([options] {
         if (options->name == "list") {
             list_experiments();

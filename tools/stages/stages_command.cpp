@@ -139,7 +139,7 @@ void stages_command(const StagesOptions& options) {
     writer.finish();
 }
 
-constexpr const char* kExamples = R"(
+constexpr const char* kStagesExamples = R"(
 DIR gets one numbered PNG a stage, contact_sheet.png, and index.html, which opens from the file without a network: the
 arrow keys step, the numbers of the pixel under the pointer stand below the picture, a click holds a pixel.
 Only stages that the scene requires are there (kreda plan says which). The last picture is what kreda render writes.
@@ -169,7 +169,7 @@ void add_stages_command(CLI::App& app) {
                      "Title of page and slides; by default the example's or the scene's name")
         ->type_name("TEXT");
     command->add_flag("--exr", options->exr, "Also write the numbers of each stage as an EXR file");
-    command->footer(kExamples);
+    command->footer(kStagesExamples);
     command->callback([options] { stages_command(*options); });
 }
 

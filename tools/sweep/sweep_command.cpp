@@ -195,7 +195,7 @@ void sweep_command(const SweepOptions& options) {
         make_sheet(options, view);
 }
 
-constexpr const char* kExamples = R"(
+constexpr const char* kSweepExamples = R"(
 A --set with several values, KEY=A,B,C, is an axis: the first becomes the columns, the second the rows. With --frames N a
 --set KEY=FROM..TO walks from the first number, or list of numbers, to the last, several keys side by side.
 camera.orbit turns the camera about its target: camera.orbit=0..360 with --around is a turntable without a jump.
@@ -236,7 +236,7 @@ void add_sweep_command(CLI::App& app) {
         ->check(CLI::Range(1, 65535))
         ->capture_default_str();
     add_threads_option(*command, options->threads);
-    command->footer(kExamples);
+    command->footer(kSweepExamples);
     command->callback([options] { sweep_command(*options); });
 }
 

@@ -166,7 +166,7 @@ void tune_command(CommandOptions options) {
     write_pictures(source, tuned, options);
 }
 
-constexpr const char* kExamples = R"(
+constexpr const char* kTuneExamples = R"(
 An error of CODES allows that much in the mean and four times as much in 99 of 100 pixels, in steps of 8 bits, against a picture
 whose every term is computed by its oracle (kreda measure list: 64 samples a pixel, rays to the light, Fresnel's equations,
 the environment's integral). The choice is rendered and compared before it is written, so the promise holds for this picture.
@@ -205,7 +205,7 @@ void add_tune_command(CLI::App& app) {
     command->add_option("-o,--output", options->output, "The scene file to write; SCENE_tuned.toml")->type_name("FILE");
     command->add_option("--pictures", options->pictures, "Folder for the pictures; SCENE_tuned")->type_name("DIR");
     add_threads_option(*command, options->tune.threads);
-    command->footer(kExamples);
+    command->footer(kTuneExamples);
     command->callback([options] { tune_command(*options); });
 }
 
