@@ -41,7 +41,7 @@ struct Texture {
     int channels = 0;                                  ///< 1 or 3
     int level_count = 0;                               ///< 1: there is no pyramid
     std::array<int, kMaxTextureLevels> first_texel{};  ///< of each level
-    AlignedVector<float> texels;                         ///< linear; channel c of texel i is texels[channels * i + c]
+    AlignedVector<float> texels;                       ///< linear; channel c of texel i is texels[channels * i + c]
 };
 
 /// A texture from an image of 1 or 3 linear channels, 1 to 32768 a side.

@@ -44,7 +44,7 @@ inline constexpr std::uint32_t kMostChunks = (1u << (32 - kChunkShift)) - 1;
 /// The set-up triangles of one chunk, in the order in which they are drawn, and for each tile those that touch it.
 struct TriangleChunk {
     AlignedVector<ScreenTriangle> triangles;
-    std::vector<std::uint32_t> tile_begin;    ///< tile t owns tile_entries[tile_begin[t] .. tile_begin[t+1])
+    std::vector<std::uint32_t> tile_begin;      ///< tile t owns tile_entries[tile_begin[t] .. tile_begin[t+1])
     AlignedVector<std::uint16_t> tile_entries;  ///< indices into triangles, in drawing order
     TriangleCounts counts;
     std::uint32_t instance = 0;      ///< all triangles of a chunk belong to one mesh instance

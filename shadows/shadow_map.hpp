@@ -33,7 +33,7 @@ struct ShadowMapPlan {
 struct ShadowMap {
     ShadowMapPlan plan;
     raster::AlignedVector<float> distance;  ///< along the view's axis, world units; kNoCaster where nothing casts
-    float nearest = kNoCaster;    ///< the least of them; pcss only
+    float nearest = kNoCaster;              ///< the least of them; pcss only
 
     /// Texels a side, without the ring.
     [[nodiscard]] int size() const {

@@ -19,7 +19,7 @@ namespace {
 /// So few pixels that every sample can be drawn as a dot.
 struct Few {
     scene::RenderBuffers buffers;
-    raster::AlignedVector<float> factor;                      ///< of every sample
+    raster::AlignedVector<float> factor;            ///< of every sample
     std::vector<shadows::LightGrid> grids;          ///< one for each side of the lamp that sees any
     std::vector<shadows::LightTriangle> triangles;  ///< in the fullest grid
 };

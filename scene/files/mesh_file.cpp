@@ -82,7 +82,8 @@ void settle_missing(const ObjScan& scan, MaterialReader& reader) {
                                    : !near.empty() ? "; did you mean " + token_in_quotes(near) + "?"
                                                    : "";
         if (!other.empty()) reader.materials.index_of_name[used.name] = reader.materials.index_of_name[other];
-        reader.warnings.add(kLost, used.offset, "the material " + token_in_quotes(used.name) + " is in no MTL file" + remedy);
+        reader.warnings.add(kLost, used.offset,
+                            "the material " + token_in_quotes(used.name) + " is in no MTL file" + remedy);
     }
 }
 

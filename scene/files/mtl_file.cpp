@@ -206,12 +206,14 @@ void scan_map(MtlScanner& s, std::string_view keyword) {
     const std::string rest = s.cursor.rest_of_statement();
     std::string* const file = file_of_map(s.scan.given.back(), in_lower_case(keyword));
     if (!file) {
-        return warn(s, std::string(keyword) + " statements", keyword,
-                    token_in_quotes(keyword) + " is ignored; map_Kd, map_Ke, map_Pr, map_Pm, norm and map_Bump are used");
+        return warn(
+            s, std::string(keyword) + " statements", keyword,
+            token_in_quotes(keyword) + " is ignored; map_Kd, map_Ke, map_Pr, map_Pm, norm and map_Bump are used");
     }
     const MapStatement map = parse_map(rest);
     if (map.name.empty()) {
-        return warn(s, "maps without a file", keyword, token_in_quotes(keyword) + " names no image file and is ignored");
+        return warn(s, "maps without a file", keyword,
+                    token_in_quotes(keyword) + " names no image file and is ignored");
     }
     const bool is_bump = file == &s.scan.given.back().bump_file;
     if (map.has_other_options || (!is_bump && map.bump != 1.0f)) {

@@ -228,7 +228,9 @@ void scan_name(ObjScanner& s, std::string_view keyword, std::size_t offset) {
 }
 
 void scan_ignored(ObjScanner& s, std::string_view keyword) {
-    if (s.ignored++ == 0) { s.first_ignored = warning_at(s.text, s.cursor.offset_of(keyword), token_in_quotes(keyword)); }
+    if (s.ignored++ == 0) {
+        s.first_ignored = warning_at(s.text, s.cursor.offset_of(keyword), token_in_quotes(keyword));
+    }
 }
 
 void scan_keyword(ObjScanner& s, std::string_view keyword) {

@@ -25,8 +25,9 @@ constexpr const char* kTurned = "turned to the viewer, who sees the triangle fro
 
 /// One attribute: at the corners, and between them; turned: its negative.
 template <class Attribute>
-void interpolated(const char* name, const raster::AlignedVector<Attribute>& stream, const std::array<std::uint32_t, 3>& vertex,
-                  const glm::vec3& b, const Attribute& value, Section& section, bool turned = false) {
+void interpolated(const char* name, const raster::AlignedVector<Attribute>& stream,
+                  const std::array<std::uint32_t, 3>& vertex, const glm::vec3& b, const Attribute& value,
+                  Section& section, bool turned = false) {
     std::string numbers;
     const auto text = [](const Attribute& a) {
         if constexpr (std::is_same_v<Attribute, float>)
