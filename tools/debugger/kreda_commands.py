@@ -212,7 +212,14 @@ def find_batch(type_name):
     if batch is not None:
         return batch
     scratch = find_on_stack("kreda::scene::TileScratch")
-    return None if scratch is None else scratch["fragments" if type_name.endswith("Fragments") else "lighting"]
+    return None if scratch is None else owned_by(scratch["fragments" if type_name.endswith("Fragments") else "lighting"])
+
+
+def owned_by(unique_pointer):
+    """What a std::unique_ptr points to, or None: with its usual deleter it is one pointer wide."""
+    pointer = unique_pointer.type.strip_typedefs().template_argument(0).pointer()
+    address = unique_pointer.address.cast(pointer.pointer()).dereference()
+    return address.dereference() if int(address) else None
 
 
 def print_channels(batch, lane, prefix):
