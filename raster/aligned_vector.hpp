@@ -10,32 +10,39 @@
 
 namespace kreda::raster {
 
-inline constexpr std::size_t kCacheLine = 64;  ///< bytes, on every x86 and most ARM processors
+/// Bytes of a cache line on every x86 and most ARM processors.
+inline constexpr std::size_t kCacheLine = 64;
 
 /// At least `bytes` bytes from the start of a cache line; of several huge pages' size, huge pages where the system has
 /// them: scattered reads of vertices then miss the page table less often. Throws std::bad_alloc.
 [[nodiscard]] void* allocate_aligned(std::size_t bytes);
-void free_aligned(void* memory, std::size_t bytes) noexcept;  ///< as many bytes as were asked for
+/// Give it back; as many bytes as were asked for.
+void free_aligned(void* memory, std::size_t bytes) noexcept;
 
-/// What std::vector asks for its memory.
+/// What std::vector asks for its memory. All of them are alike: one frees what another gave.
 template <typename T>
 struct AlignedAllocator {
     using value_type = T;  ///< of the vector
 
     AlignedAllocator() = default;
+    /// std::vector makes allocators of other types from this one.
     template <typename U>
-    AlignedAllocator(const AlignedAllocator<U>&) noexcept {}  ///< they hold nothing
+    AlignedAllocator(const AlignedAllocator<U>&) noexcept {}
 
+    /// Room for so many values.
     [[nodiscard]] T* allocate(std::size_t count) {
         return static_cast<T*>(allocate_aligned(count * sizeof(T)));
-    }  ///< room for so many, not yet made
+    }
+    /// Give back what allocate(count) gave.
     void deallocate(T* memory, std::size_t count) noexcept {
         free_aligned(memory, count * sizeof(T));
-    }                                                          ///< what allocate(count) gave
-    bool operator==(const AlignedAllocator&) const = default;  ///< always: one frees what another gave
+    }
+    /// Always true.
+    bool operator==(const AlignedAllocator&) const = default;
 };
 
+/// A std::vector that begins with a cache line.
 template <typename T>
-using AlignedVector = std::vector<T, AlignedAllocator<T>>;  ///< begins with a cache line
+using AlignedVector = std::vector<T, AlignedAllocator<T>>;
 
 }  // namespace kreda::raster
