@@ -55,9 +55,13 @@ struct Inputs {
     }
 };
 
-/// The greatest error of a million inputs: at most the bound, and not far below it (a bound that is far too large says
-/// nothing).
-void check_sweep(const std::string& name, double worst) {
+/// The greatest error of a million inputs, each drawn by error_of(inputs): at most the bound, and not far below it (a
+/// bound that is far too large says nothing).
+template <class Error>
+void check_sweep(const std::string& name, Error error_of) {
+    Inputs inputs;
+    double worst = 0.0;
+    for (int i = 0; i < kInputs; ++i) worst = std::max(worst, std::abs(error_of(inputs)));
     CAPTURE(name);
     CAPTURE(worst);
     CHECK(worst <= bound_of(name));
@@ -82,83 +86,60 @@ TEST_CASE("bounds: Gappa proves every certificate") {
 }
 
 TEST_CASE("bounds: Schlick's Fresnel") {
-    Inputs inputs;
-    double worst = 0.0;
-    for (int i = 0; i < kInputs; ++i) {
+    check_sweep("schlick", [](Inputs& inputs) {
         const float c = inputs.in(0.0f, 1.0f), f0 = inputs.in(0.0f, 1.0f);
         const double x = 1.0 - double{c}, exact = double{f0} + (1.0 - double{f0}) * (square(x * x) * x);
-        worst = std::max(worst, std::abs(double{lighting::fresnel_schlick(c, f0)} - exact));
-    }
-    check_sweep("schlick", worst);
+        return double{lighting::fresnel_schlick(c, f0)} - exact;
+    });
 }
 
 TEST_CASE("bounds: the smooth ramp") {
-    Inputs inputs;
-    double worst = 0.0;
-    for (int i = 0; i < kInputs; ++i) {
+    check_sweep("smooth_ramp", [](Inputs& inputs) {
         const float t = inputs.in(0.0f, 1.0f);
         const double exact = square(double{t}) * (3.0 - 2.0 * double{t});
-        worst = std::max(worst, std::abs(double{raster::smooth_ramp(t)} - exact));
-    }
-    check_sweep("smooth_ramp", worst);
+        return double{raster::smooth_ramp(t)} - exact;
+    });
 }
 
 TEST_CASE("bounds: linear interpolation") {
-    Inputs inputs;
-    double worst = 0.0;
-    for (int i = 0; i < kInputs; ++i) {
+    check_sweep("lerp", [](Inputs& inputs) {
         const float a = inputs.in(0.0f, 1.0f), b = inputs.in(0.0f, 1.0f), t = inputs.in(0.0f, 1.0f);
         const double exact = (1.0 - double{t}) * double{a} + double{t} * double{b};
-        worst = std::max(worst, std::abs(double{raster::lerp(a, b, t)} - exact));
-    }
-    check_sweep("lerp", worst);
+        return double{raster::lerp(a, b, t)} - exact;
+    });
 }
 
 TEST_CASE("bounds: mixing fog") {
-    Inputs inputs;
-    double worst = 0.0;
-    for (int i = 0; i < kInputs; ++i) {
+    check_sweep("fog_mix", [](Inputs& inputs) {
         const float f = inputs.in(0.0f, 1.0f), s = inputs.in(0.0f, 16.0f), c = inputs.in(0.0f, 16.0f);
         const double exact = double{f} * double{s} + (1.0 - double{f}) * double{c};
-        worst = std::max(worst, std::abs(double{lighting::mix_fog(f, glm::vec3(s), glm::vec3(c)).x} - exact));
-    }
-    check_sweep("fog_mix", worst);
+        return double{lighting::mix_fog(f, glm::vec3(s), glm::vec3(c)).x} - exact;
+    });
 }
 
 TEST_CASE("bounds: the polynomial of 2^f") {
-    Inputs inputs;
-    double worst = 0.0;
     constexpr float kCoefficients[] = {0.00133968994f, 0.00961847045f, 0.0555033945f, 0.240226477f, 0.193147197f};
-    for (int i = 0; i < kInputs; ++i) {
+    check_sweep("exp2_fraction", [&](Inputs& inputs) {
         const float f = inputs.in(-0.5f, 0.5f);
         double p = double{0.00015342074f};
         for (const float a : kCoefficients) p = p * double{f} + double{a};
         const double exact = 1.0 + (0.5 * double{f} + double{f} * p);
-        worst = std::max(worst, std::abs(double{raster::exp2_of_fraction(f)} - exact));
-    }
-    check_sweep("exp2_fraction", worst);
+        return double{raster::exp2_of_fraction(f)} - exact;
+    });
 }
 
 TEST_CASE("bounds: GGX in narrow and wide highlights") {
-    Inputs inputs;
-    double worst = 0.0;
-    for (int i = 0; i < kInputs; ++i) {
+    check_sweep("ggx", [](Inputs& inputs) {
         const float c = inputs.in(0.001f, 1.0f), alpha = inputs.log_in(0.001f, 1.0f), s = inputs.log_in(1e-12f, 1.0f);
         const double q = double{s} + square(double{c} * double{alpha});
         const double exact = square(double{alpha} / q) * double{raster::kInvPi};
-        const double relative = double{lighting::ggx_distribution(c, s, alpha)} / exact - 1.0;
-        worst = std::max(worst, std::abs(relative));
-    }
-    check_sweep("ggx", worst);
+        return double{lighting::ggx_distribution(c, s, alpha)} / exact - 1.0;
+    });
 }
 
 TEST_CASE("bounds: Reinhard's operator in the dark") {
-    Inputs inputs;
-    double worst = 0.0;
-    for (int i = 0; i < kInputs; ++i) {
+    check_sweep("reinhard", [](Inputs& inputs) {
         const float r = inputs.log_in(1e-15f, 1.0f);
-        const double relative = double{raster::reinhard(r)} / (double{r} / (1.0 + double{r})) - 1.0;
-        worst = std::max(worst, std::abs(relative));
-    }
-    check_sweep("reinhard", worst);
+        return double{raster::reinhard(r)} / (double{r} / (1.0 + double{r})) - 1.0;
+    });
 }
