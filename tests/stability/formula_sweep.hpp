@@ -15,7 +15,15 @@ struct Axis {
     std::vector<float> edges = {};
 };
 
+using Spread = Axis::Spread;
+using Real = long double;
 using Inputs = std::vector<float>;
+
+inline constexpr Real kPi = 3.14159265358979323846264L;
+
+/// What many formulas take.
+inline const Axis kCosine{0.0f, 1.0f, Spread::even, {1e-8f, 1e-4f, 0.5f}};
+inline const Axis kRoughness{0.0f, 1.0f, Spread::even, {1e-8f, 0.045f, 0.5f}};
 
 struct Formula {
     std::string name;

@@ -10,12 +10,6 @@ namespace kreda::tests {
 namespace {
 
 using namespace kreda::lighting;
-using Real = long double;
-using Spread = Axis::Spread;
-
-constexpr Real kPi = 3.14159265358979323846264L;
-const Axis kCosine{0.0f, 1.0f, Spread::even, {1e-8f, 1e-4f, 0.5f}};
-const Axis kRoughness{0.0f, 1.0f, Spread::even, {1e-8f, 0.045f, 0.5f}};
 
 }  // namespace
 

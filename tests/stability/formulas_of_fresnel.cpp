@@ -11,10 +11,7 @@ namespace kreda::tests {
 namespace {
 
 using namespace kreda::lighting;
-using Real = long double;
-using Spread = Axis::Spread;
 
-const Axis kCosine{0.0f, 1.0f, Spread::even, {1e-8f, 1e-4f, 0.5f}};
 const Axis kRatio{0.001f, 1000.0f, Spread::logarithmic, {0.1f, 0.2f, 1.0f, 1.5f}};
 const Axis kF0{0.0f, 1.0f, Spread::even, {1e-8f, 0.04f, 0.5f}};
 /// What is smaller than 1e-12 stands for 0.

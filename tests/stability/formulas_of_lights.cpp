@@ -13,8 +13,6 @@ namespace kreda::tests {
 namespace {
 
 using namespace kreda::lighting;
-using Real = long double;
-using Spread = Axis::Spread;
 
 constexpr float kInfinity = std::numeric_limits<float>::infinity();
 const Axis kDistance{0.0f, kInfinity, Spread::even, {1e-38f, 1e-8f, 1.0f, 1e8f, 1e18f, 2e19f, 1e38f}};

@@ -11,13 +11,8 @@ namespace kreda::tests {
 namespace {
 
 using namespace kreda::lighting;
-using Real = long double;
-using Spread = Axis::Spread;
 
-constexpr Real kPi = 3.14159265358979323846264L;
-const Axis kCosine{0.0f, 1.0f, Spread::even, {1e-8f, 1e-4f, 0.5f}};
 const Axis kAlpha{kMinAlpha, 1.0f, Spread::logarithmic, {0.01f, 0.25f}};
-const Axis kRoughness{0.0f, 1.0f, Spread::even, {1e-8f, 0.045f, 0.5f}};
 const Axis kAngle{0.0f, 1.57079f, Spread::even, {1e-8f, 1e-4f, 0.002f, 0.785f, 1.57f}};
 
 /// cos and sin^2 of an angle as floats: what the formulas are given.

@@ -8,13 +8,6 @@
 
 namespace kreda::tests {
 
-namespace {
-
-using Real = long double;
-using Spread = Axis::Spread;
-
-}  // namespace
-
 std::vector<Formula> formulas_of_raster() {
     const Axis share{0.0f, 1.0f, Spread::even, {1e-8f, 0.5f}};
     const Axis length{1e-15f, 1e18f, Spread::logarithmic, {1.0f}};

@@ -11,8 +11,6 @@ namespace kreda::tests {
 namespace {
 
 using namespace kreda::lighting;
-using Real = long double;
-using Spread = Axis::Spread;
 
 /// A unit vector as floats have it: by height and turn.
 glm::vec3 direction(float height, float turn) {

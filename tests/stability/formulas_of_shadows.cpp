@@ -10,8 +10,6 @@ namespace kreda::tests {
 namespace {
 
 using namespace kreda::shadows;
-using Real = long double;
-using Spread = Axis::Spread;
 
 Real limited(Real cosine) {
     const Real size = std::max(std::fabs(cosine), Real(kLeastCosine));
