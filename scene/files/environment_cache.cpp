@@ -4,7 +4,6 @@
 #include <array>
 #include <bit>
 #include <cstdint>
-#include <cstdio>
 #include <filesystem>
 #include <span>
 
@@ -22,12 +21,6 @@ namespace fs = std::filesystem;
 using lighting::CubeMap;
 using lighting::EnvironmentMaps;
 using lighting::EnvironmentNeeds;
-
-std::string hash_text(std::uint64_t hash) {
-    char text[20];
-    std::snprintf(text, sizeof text, "%016llx", static_cast<unsigned long long>(hash));
-    return text;
-}
 
 std::uint64_t hash_of(std::span<const float> floats, std::uint64_t seed = 0) {
     return hash_of_bytes(std::as_bytes(floats), seed);

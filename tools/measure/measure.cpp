@@ -1,10 +1,7 @@
 #include "tools/measure/measure.hpp"
 
-#include <cstdio>
 #include <filesystem>
-#include <fstream>
 #include <iostream>
-#include <iterator>
 
 #include "scene/files/hash_of_bytes.hpp"
 #include "tools/measure/gnuplot.hpp"
@@ -18,21 +15,14 @@ namespace {
 
 namespace fs = std::filesystem;
 
-std::string bytes_of_file(const std::string& path) {
-    std::ifstream stream(path, std::ios::binary);
-    return {std::istreambuf_iterator<char>(stream), std::istreambuf_iterator<char>()};
-}
-
-std::string hash_text(const std::string& bytes, std::uint64_t seed = 0) {
-    char text[20];
-    std::snprintf(text, sizeof text, "%016llx",
-                  static_cast<unsigned long long>(scene::hash_of_bytes(std::as_bytes(std::span(bytes)), seed)));
-    return text;
+std::string hash_of_file(const std::string& path) {
+    const std::string bytes = bytes_of_file(path);
+    return scene::hash_text(scene::hash_of_bytes(std::as_bytes(std::span(bytes))));
 }
 
 /// Everything that an experiment depends on: all of it lies in the program itself.
 std::string program_hash() {
-    static const std::string hash = hash_text(bytes_of_file("/proc/self/exe"));
+    static const std::string hash = hash_of_file("/proc/self/exe");
     return hash;
 }
 
@@ -43,7 +33,7 @@ std::string key_of_files(const Experiment& experiment, const MeasureOptions& opt
     for (const char* ending : {".csv", ".txt", ".svg", ".png"}) {
         std::error_code none;
         const bool is_there = fs::exists(path + ending, none);
-        text += std::string(ending) + " " + (is_there ? hash_text(bytes_of_file(path + ending)) : "absent") + "\n";
+        text += std::string(ending) + " " + (is_there ? hash_of_file(path + ending) : "absent") + "\n";
     }
     return text;
 }

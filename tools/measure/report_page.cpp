@@ -1,13 +1,12 @@
 // The page of all experiments of a folder: plots and tables are in it, so that one file can be put anywhere.
 #include <filesystem>
-#include <fstream>
-#include <iterator>
 
 #include "tools/base64.hpp"
 #include "tools/gallery/gallery_style.hpp"
 #include "tools/grade/plain_text.hpp"
 #include "tools/grade/report_style.hpp"
 #include "tools/measure/measure.hpp"
+#include "tools/write_file.hpp"
 
 namespace kreda::tools {
 
@@ -16,11 +15,6 @@ namespace {
 namespace fs = std::filesystem;
 
 constexpr std::size_t kShownRows = 60;
-
-std::string bytes_of_file(const fs::path& path) {
-    std::ifstream stream(path, std::ios::binary);
-    return {std::istreambuf_iterator<char>(stream), std::istreambuf_iterator<char>()};
-}
 
 std::string table_html(const ResultTable& table) {
     std::string html =

@@ -1,9 +1,7 @@
 // kreda tune: the cheapest settings within an error, or the most accurate within a time.
 #include <algorithm>
 #include <filesystem>
-#include <fstream>
 #include <iostream>
-#include <iterator>
 #include <memory>
 
 #include <CLI/CLI.hpp>
@@ -39,8 +37,7 @@ struct CommandOptions {
 
 std::string text_of_file(const std::string& path) {
     (void)scene::read_scene(path);  // whatever is wrong with the file is said as by every other command
-    std::ifstream stream(path, std::ios::binary);
-    return {std::istreambuf_iterator<char>(stream), std::istreambuf_iterator<char>()};
+    return bytes_of_file(path);
 }
 
 SceneSource source_of(const CommandOptions& options) {
