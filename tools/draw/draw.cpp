@@ -56,6 +56,13 @@ Image make_board(int width, int height, const glm::vec3& color) {
     return image;
 }
 
+Image as_rgb(const Image& image) {
+    if (image.channels >= 3) return image;
+    Image rgb = raster::make_image(image.width, image.height, 3);
+    for (int c = 0; c < 3; ++c) std::copy_n(image.plane(0), image.plane_size(), rgb.plane(c));
+    return rgb;
+}
+
 Image grey_image(int width, int height, std::span<const float> values) {
     Image image = raster::make_image(width, height, 3);
     for (int c = 0; c < 3; ++c) std::copy_n(values.begin(), image.plane_size(), image.plane(c));

@@ -37,6 +37,9 @@ inline const glm::vec3 kYellow = srgb(0xf2d16b);
 /// A grey picture of one value a pixel, row by row from the top.
 [[nodiscard]] Image grey_image(int width, int height, std::span<const float> values);
 
+/// Three equal channels out of one; a picture of three or more stays as it is.
+[[nodiscard]] Image as_rgb(const Image& image);
+
 /// Colour of a signed value: blue below 0, board at 0, orange above; full at +-1.
 [[nodiscard]] glm::vec3 signed_color(float value);
 

@@ -74,14 +74,6 @@ std::string legend_of(const View& view, const scene::ViewPicture& picture) {
     return legend;
 }
 
-/// Three equal channels out of one.
-Image as_rgb(const Image& image) {
-    if (image.channels >= 3) return image;
-    Image rgb = raster::make_image(image.width, image.height, 3);
-    for (int c = 0; c < 3; ++c) std::copy_n(image.plane(0), image.plane_size(), rgb.plane(c));
-    return rgb;
-}
-
 Stage stage_of(const View& view, const Image& values, const Scene& scene) {
     const scene::ViewPicture picture = picture_of(view, values, scene);
     return {std::string(view.name),   std::string(view.name),  std::string(view.meaning),

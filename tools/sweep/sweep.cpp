@@ -6,19 +6,9 @@
 #include "raster/film.hpp"
 #include "scene/files/image_file.hpp"
 #include "scene/plan/plan.hpp"
+#include "tools/draw/draw.hpp"
 
 namespace kreda::tools {
-
-namespace {
-
-raster::Image three_channels(const raster::Image& image) {
-    if (image.channels == 3) return image;
-    raster::Image rgb = raster::make_image(image.width, image.height, 3);
-    for (int c = 0; c < 3; ++c) std::copy_n(image.plane(0), image.plane_size(), rgb.plane(c));
-    return rgb;
-}
-
-}  // namespace
 
 raster::Image SweepRenderer::draw(const std::vector<std::string>& values) {
     SceneOptions options = options_;
@@ -33,13 +23,14 @@ raster::Image SweepRenderer::draw(const std::vector<std::string>& values) {
     const bool is_baked = buffers_.environment && serves(*buffers_.environment, scene.environment, plan.environment);
     if (!is_baked) bake_scene(scene, plan.environment, cache_);
     render(scene, plan, buffers_, threads_);
-    return view_ ? three_channels(picture_of(*view_, buffers_.views[0], scene).encoded)
+    return view_ ? as_rgb(picture_of(*view_, buffers_.views[0], scene).encoded)
                  : raster::develop(buffers_.film, film_settings(scene.image));
 }
 
 glm::ivec2 SweepRenderer::picture_size() {
     SceneOptions options = options_;
     options.quiet = true;
+    options.read.maps_later = true;  // the size alone is asked for
     const scene::Scene scene = load_scene(options);
     return {scene.image.width, scene.image.height};
 }
