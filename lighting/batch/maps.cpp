@@ -21,7 +21,7 @@ raster::TextureLookup lookup_of(const MaterialMaps& maps) {
 }
 
 void find_level(const Fragments& fragments, const raster::Texture& texture, const MaterialMaps& maps, Channel& level) {
-    if (maps.filter == TextureFilter::trilinear) find_levels(fragments, texture, lookup_of(maps), level);
+    if (maps.filter == TextureFilter::trilinear) set_levels(fragments, texture, lookup_of(maps), level);
 }
 
 void read_color(const Fragments& fragments, const Map& map, const MaterialMaps& maps, Channel& level, Channel3& out) {

@@ -105,7 +105,7 @@ void fill_surface(int count, const CookTorranceSetup& setup, MicrofacetChannels&
     fill_constants(lanes_for(count), setup.surface, channels);
 }
 
-void find_viewing_angle(int count, LightingChannels& channels) {
+void set_viewing_angle(int count, LightingChannels& channels) {
     find_n_dot_v(lanes_for(count), channels);
 }
 

@@ -257,14 +257,14 @@ void apply_maps(const Fragments& fragments, const MaterialSetup& material, Light
     if (material.maps.emission.texture) add_emission_of_map(lanes, material.material.phong.emission, channels);
 }
 
-void find_directions(const Fragments& fragments, const MaterialSetup& material, const LightingSetup& setup,
-                     LightingChannels& channels) {
+void set_directions(const Fragments& fragments, const MaterialSetup& material, const LightingSetup& setup,
+                    LightingChannels& channels) {
     const int lanes = lanes_for(fragments.count);
     surface_directions(fragments, lanes, setup.eye, channels);
     if (setup.orthographic) same_view_everywhere(lanes, -setup.forward, channels);
     if (material.map_needs.tangent) bend_normals(fragments, material.maps, channels);
-    if (material.material.model == ReflectionModel::cook_torrance) find_viewing_angle(fragments.count, channels);
-    if (needs_grain(material.material)) find_grain(fragments.count, material.material.phong, channels);
+    if (material.material.model == ReflectionModel::cook_torrance) set_viewing_angle(fragments.count, channels);
+    if (needs_grain(material.material)) set_grain(fragments.count, material.material.phong, channels);
 }
 
 void start_lighting(const Fragments& fragments, const MaterialSetup& material, const LightingSetup& setup,
@@ -272,7 +272,7 @@ void start_lighting(const Fragments& fragments, const MaterialSetup& material, c
     start_surface(fragments, material, setup, channels);
     if (material.map_needs.uv) apply_maps(fragments, material, channels);
     if (material.material.model == ReflectionModel::unlit) return;
-    find_directions(fragments, material, setup, channels);
+    set_directions(fragments, material, setup, channels);
 }
 
 void sample_light(const Fragments& fragments, const LightSetup& light, LightingChannels& channels) {

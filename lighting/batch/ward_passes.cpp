@@ -36,7 +36,7 @@ KREDA_BATCH_LOOP void add_threads(int lanes, const PhongMaterial& material, bool
 
 }  // namespace
 
-void find_grain(int count, const PhongMaterial& material, LightingChannels& channels) {
+void set_grain(int count, const PhongMaterial& material, LightingChannels& channels) {
     find_tangents(lanes_for(count), glm::normalize(material.grain), channels);
 }
 

@@ -32,7 +32,7 @@ void place_nodes(float roughness, RowScratch& row) {
         row.scale.set(i, 0.0f);
         row.bias.set(i, 0.0f);
     }
-    find_viewing_angle(kBrdfMapSize, c);
+    set_viewing_angle(kBrdfMapSize, c);
 }
 
 KREDA_BATCH_LOOP void reflect_at_facets(int lanes, glm::vec2 u, LightingChannels& c) {

@@ -73,8 +73,8 @@ struct ProjectionScratch {
     TapScratch taps;
 };
 
-KREDA_BATCH_LOOP void find_directions(int lanes, RowOfTexels r, float within_x, float within_y,
-                                      const Placement& placement, ProjectionScratch& scratch) {
+KREDA_BATCH_LOOP void set_directions(int lanes, RowOfTexels r, float within_x, float within_y,
+                                     const Placement& placement, ProjectionScratch& scratch) {
     const float cos_rotation = placement.cos_rotation;
     const float sin_rotation = placement.sin_rotation;
     const float scale = 1.0f / static_cast<float>(r.size);
@@ -159,7 +159,7 @@ void project(CubeMap& map, int n, const Placement& placement, const Progress& pr
                 for (int k = 0; k < n * n; ++k) {
                     const float within_x = (static_cast<float>(k % n) + 0.5f) / static_cast<float>(n);
                     const float within_y = (static_cast<float>(k / n) + 0.5f) / static_cast<float>(n);
-                    find_directions(lanes, texels, within_x, within_y, placement, *scratch);
+                    set_directions(lanes, texels, within_x, within_y, placement, *scratch);
                     look_up(lanes, *scratch);
                     add_colors(lanes, *scratch);
                 }

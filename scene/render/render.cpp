@@ -73,11 +73,11 @@ lighting::LightingSetup make_lighting(const Scene& scene, const RenderPlan& plan
 }
 
 /// One TileScratch a thread, times and counts at zero.
-void prepare_scratch(const RenderPlan& plan, RenderBuffers& buffers) {
+void fit_scratch(const RenderPlan& plan, RenderBuffers& buffers) {
     buffers.scratch.resize(static_cast<std::size_t>(thread_count()));
     for (std::unique_ptr<TileScratch>& scratch : buffers.scratch) {
         if (!scratch) scratch = std::make_unique<TileScratch>();
-        prepare_scratch(plan, *scratch);
+        fit_scratch(plan, *scratch);
     }
 }
 
@@ -132,15 +132,15 @@ RenderStatistics render(const Scene& scene, const RenderPlan& plan, RenderBuffer
     const ThreadLimit limit(threads);
     RenderStatistics statistics;
     lighting::LightingSetup lighting;
-    prepare_scratch(plan, buffers);
+    fit_scratch(plan, buffers);
     const Frame frame{scene,
                       plan,
                       lighting,
                       buffers,
                       statistics,
                       raster::clip_from_world(scene.camera, raster::aspect_of(scene.image.width, scene.image.height)),
-                      find_tile_passes(plan),
-                      find_lighting_passes(plan),
+                      tile_passes_of(plan),
+                      lighting_passes_of(plan),
                       pass_that_lights(plan)};
     begin_baking(scene, plan, buffers);
     walk_baking(frame, statistics.times);

@@ -1,5 +1,5 @@
 // Shadows while a frame is drawn: first what each light sees, then for each batch of points what is in shadow. The pass
-// prepare_shadow() draws the map, or builds the tree, of one light, for methods that answer point by point; those that
+// build_shadow() draws the map, or builds the tree, of one light, for methods that answer point by point; those that
 // answer for a whole frame have scene/render/frame_shadows.hpp.
 #pragma once
 
@@ -25,7 +25,7 @@ struct ShadowMemory {
 
 /// channels.shadow at every point for the light of that number, counted among those that are on. False (and nothing is
 /// written) if it casts none.
-bool find_shadow(const Frame& frame, int light_that_is_on, const raster::Fragments& points,
-                 lighting::LightingChannels& channels);
+bool set_shadow(const Frame& frame, int light_that_is_on, const raster::Fragments& points,
+                lighting::LightingChannels& channels);
 
 }  // namespace kreda::scene
