@@ -87,7 +87,7 @@ inline void with_sigma(ReflectionModel model, Use use) {
     });
 }
 
-KREDA_BATCH_LOOP void find_sigma(int lanes, ReflectionModel model, LightingChannels& c) {
+KREDA_BATCH_LOOP void set_sigma(int lanes, ReflectionModel model, LightingChannels& c) {
     with_sigma(model, [&](auto Sigma) {
         for (int i = 0; i < lanes; ++i) {  // 2 formulas
             c.sigma.set(i, Sigma(c.n.at(i), c.l.at(i), c.v.at(i), c.n_dot_l.at(i)));
@@ -135,7 +135,7 @@ KREDA_BATCH_LOOP void add_phong_terms(int lanes, const PhongMaterial& material, 
 
 /// Phong and Blinn-Phong: phong() and blinn_phong(), pass by pass.
 void add_highlights(int lanes, const Material& material, bool map, LightingChannels& c) {
-    find_sigma(lanes, material.model, c);
+    set_sigma(lanes, material.model, c);
     if (any_highlight(lanes, material.phong.shininess, c))
         raise_sigma(lanes, material.phong.shininess, c);
     else

@@ -44,7 +44,7 @@ void add_frequencies(const RenderPlan& plan, LeftOutList& list) {
 }
 
 /// Who wears each of the materials, by name.
-std::vector<std::string> find_wearers(const Scene& scene) {
+std::vector<std::string> collect_wearers(const Scene& scene) {
     std::vector<std::string> wearers(scene.materials.size());
     for (std::size_t o = 0; o < scene.objects.size(); ++o) {
         const std::string name = name_of_object(scene, o);
@@ -68,7 +68,7 @@ void add_unseen(const Scene& scene, const RenderPlan& plan, LeftOutList& list) {
                  "none of its " + std::to_string(scene.objects[o].mesh->triangle_count()) +
                      " triangles is seen: " + why_unseen(object.triangles));
     }
-    const std::vector<std::string> wearers = find_wearers(scene);
+    const std::vector<std::string> wearers = collect_wearers(scene);
     for (std::size_t m = 0; m < scene.materials.size(); ++m) {
         list.add(!plan.lighting.seen[m], "material " + scene.materials[m].name, worn_by(wearers[m]));
     }
