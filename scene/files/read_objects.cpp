@@ -143,6 +143,13 @@ std::vector<bool> hidden_parts(const Value& table, const raster::Mesh& mesh) {
     return hidden;
 }
 
+/// What stands for the mesh of an object that is off.
+SharedMesh mesh_without_triangles() {
+    const auto mesh = std::make_shared<raster::Mesh>();
+    mesh->parts.resize(1);
+    return {mesh, 0};
+}
+
 void ObjectReader::read_object(const Value& table) {
     ObjectTable read;
     read_keys(table, object_keys(), read);
@@ -153,19 +160,20 @@ void ObjectReader::read_object(const Value& table) {
     Object object;
     object.mesh_name = read.mesh;
     object.casts_shadow = read.casts_shadow;
+    object.on = read.on;
     read.placement.scale_place = place_of(table, "scale");
     read.placement.place = place_of(table, find(table, "translate") ? "translate" : "mesh");
     placements.objects.push_back(read.placement);
     const Value* material = find(table, "material");
     const int chosen = material ? material_named(*material) : -1;
-    const SharedMesh shared = mesh_of(table, read);
+    const SharedMesh shared = read.on ? mesh_of(table, read) : mesh_without_triangles();
     object.mesh = shared.mesh;
     for (const raster::MeshPart& part : shared.mesh->parts) {
         const int own = part.material >= 0 ? shared.first_material + part.material : -1;
         const int index = chosen >= 0 ? chosen : own;
         object.part_material.push_back(index >= 0 ? index : material_of_none());
     }
-    object.part_hidden = hidden_parts(table, *shared.mesh);
+    object.part_hidden = read.on ? hidden_parts(table, *shared.mesh) : std::vector<bool>{true};
     scene.objects.push_back(std::move(object));
 }
 
