@@ -15,6 +15,7 @@
 #include "scene/plan/origin_words.hpp"
 #include "scene/render/light_depth.hpp"
 #include "scene/render/render.hpp"
+#include "scene/render/stopwatch.hpp"
 #include "tools/bake/bake_scene.hpp"
 #include "tools/bench/time_report.hpp"
 #include "tools/commands.hpp"
@@ -202,13 +203,16 @@ void render_command(const RenderOptions& options) {
     check_output(path);
     check_slides(options, path);
     const scene::View* view = chosen_view(options.view);
+    TimeReport report;
+    scene::Stopwatch watch;
     auto [scene, plan] = load_and_plan(options.scene, request_for(view), [&](scene::Scene& loaded) {
         if (!options.slides.empty()) fit_to_slide(loaded.image);
     });
     if (view) check_view(make_plan_for(scene, scene::PlanRequest{.prune = false}), scene, *view);
+    report.around.load = watch.lap_ms();
     bake_scene(scene, plan.environment, options.cache);
+    report.around.bake = watch.lap_ms();
     scene::RenderBuffers buffers;
-    TimeReport report;
     for (int i = 0; i < options.repeat; ++i) report.frames.push_back(render(scene, plan, buffers, options.threads));
     const std::uint64_t dropped = report.frames.back().triangles.non_finite;
     if (dropped > 0) warn(std::to_string(dropped) + " triangles were dropped: a corner is not a finite number");
@@ -216,6 +220,7 @@ void render_command(const RenderOptions& options) {
         warn_of_scene({"the picture is black; what is seen needs a light that is on, ambient light or emission"},
                       options.scene);
     }
+    watch.lap_ms();
     if (!options.slides.empty())
         write_slide(path, options, view, buffers, scene);
     else if (view)
@@ -223,6 +228,7 @@ void render_command(const RenderOptions& options) {
     else
         write_picture(path, buffers.film, scene.image);
     if (!options.time) return;
+    report.around.write = watch.lap_ms();
     report.width = scene.image.width;
     report.height = scene.image.height;
     report.samples = scene.image.samples;
@@ -249,8 +255,8 @@ light_depth is as large as the map (shadow.size; six in a row for a point light:
 The scene file is described by `kreda keys`; a value given here wins over the file's.
 --time prints one line of JSON, milliseconds from the loaded scene to the linear film, without loading, tone mapping and
 writing. Its stages are the passes of kreda plan, in that order; those that threads share tile by tile take parts of the
-common time. Baking is done before, and not part of total_ms. pixels_shaded counts visible samples: with --samples 2 up to
-four a pixel.
+common time. Baking is done before, and not part of total_ms; "around" has what loading, baking and writing take, once.
+pixels_shaded counts visible samples: with --samples 2 up to four a pixel.
 An environment is baked before the first frame. Its maps are kept in .kreda-cache beside the scene file, for the next render;
 delete the folder at will.
 
