@@ -17,7 +17,7 @@ void forget_unused(LoadedFiles& files) {
     forget_unused(files.shapes);
     forget_unused(files.textures);
     forget_unused(files.environments);
-    files.tangents.clear();  // of meshes that may be gone
+    std::erase_if(files.tangents, [](const auto& entry) { return entry.second.from.use_count() == 1; });
     files.used.clear();
 }
 

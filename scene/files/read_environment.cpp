@@ -89,6 +89,7 @@ EnvironmentSettings read_environment(const Value& table, const std::string& fold
     settings.on = true;
     read_keys(table, environment_keys(), settings);
     if (!file) return settings;
+    if (files) files->used.push_back(use_file(path_in(folder, file->text), FileUse::presence));
     const std::string path = existing_file(*file, folder);
     if (settings.on) settings.image = load(*file, path, files, warnings);
     return settings;

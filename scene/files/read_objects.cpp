@@ -88,6 +88,7 @@ SharedMesh ObjectReader::mesh_of(const Value& table, const ObjectTable& read) {
     }
     const std::filesystem::path path = (std::filesystem::path(folder) / name).lexically_normal();
     std::error_code error;
+    if (options.files) options.files->used.push_back(use_file(path.string(), FileUse::presence));
     if (!std::filesystem::exists(path, error)) {
         const bool names_file = path.has_extension() || name.find('/') != std::string::npos;
         const std::string file =
