@@ -139,7 +139,7 @@ void check_slides(const RenderOptions& options, const std::string& path) {
 void render_once(const RenderOptions& options, const std::string& path, const scene::View* view, KeptFrames& kept,
                  std::mutex& writing) {
     SceneOptions with_store = options.scene;
-    with_store.read.files = &kept.files;
+    if (options.watch) with_store.read.files = &kept.files;
     auto [scene, plan] = load_and_plan(with_store, request_for(view), [&](scene::Scene& loaded) {
         if (!options.slides.empty()) fit_to_slide(loaded.image);
     });

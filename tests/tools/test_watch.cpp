@@ -92,7 +92,7 @@ TEST_CASE("watch: a saved scene is drawn, a broken one is one line, a mended one
     CHECK(watcher.end(SIGINT) == 0);
     CHECK(names_in(watcher.folder.path.string()) == std::vector<std::string>{"a.png", "a.toml"});
     std::string said = watcher.said();
-    CHECK(line_count(said) < 12);  // a picture or an error each time, and no more
+    CHECK(line_count(said) < 20);  // a few lines each time, and no more
 }
 
 TEST_CASE("watch: meshes and textures are watched, too, and one that is missing is drawn when it comes") {
