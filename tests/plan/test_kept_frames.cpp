@@ -1,8 +1,10 @@
 // Frames that follow each other: what is kept of the frame before changes no bit of the next, whatever was edited.
+#include <array>
 #include <random>
 
 #include <doctest/doctest.h>
 
+#include "scene/plan/pass_inputs.hpp"
 #include "scene/render/render.hpp"
 #include "scene/render/shadow_pass.hpp"
 #include "tests/plan/plan_scenes.hpp"
@@ -77,7 +79,7 @@ raster::Image drawn_anew(const scene::Scene& scene) {
 scene::Scene simple_scene() {
     for (std::uint32_t seed = 0;; ++seed) {
         scene::Scene scene = random_plan_scene(seed);
-        scene.shadow.method = shadows::ShadowMethod::map;
+        scene.shadow = {};
         if (!make_plan(scene).shadows.empty()) return scene;
     }
 }
@@ -90,13 +92,16 @@ TEST_CASE("kept frames: after any edit, and back again, a frame is what it is wh
         CAPTURE(seed);
         Editor editor(1000 + seed);
         scene::Scene scene = random_plan_scene(seed);
+        for (lighting::Light& light : scene.lights) light.on = light.shadow = true;
+        if (seed % 3 > 0)
+            scene.shadow.method = seed % 3 == 1 ? shadows::ShadowMethod::map : shadows::ShadowMethod::exact;
         scene::RenderBuffers buffers;
         buffers.keeps_results = true;
         std::vector<std::string> before;
         for (int i = 0; i < 10; ++i) {
             const scene::Scene last = scene;
             if (i > 0) editor.edit(scene);
-            for (const scene::Scene* now : {&scene, &last, &scene}) {
+            for (const scene::Scene* now : std::array<const scene::Scene*, 3>{&scene, &last, &scene}) {
                 const scene::RenderPlan plan = make_plan(*now);
                 render(*now, plan, buffers, 1);
                 const raster::Image expected = drawn_anew(*now);
@@ -130,4 +135,46 @@ TEST_CASE("kept frames: a shadow map is drawn again when its inputs change, and 
     CHECK(is_kept());
     scene.shadow.size *= 2;
     CHECK_FALSE(is_kept());
+}
+
+TEST_CASE("kept frames: every single thing that a shadow is made from is among its inputs") {
+    const scene::Scene scene = simple_scene();
+    const scene::PlannedShadow shadow = make_plan(scene).shadows[0];
+    const std::string inputs = shadow_inputs(scene, shadow);
+    CHECK(shadow_inputs(scene::Scene(scene), shadow) == inputs);
+    using Change = void (*)(scene::Object&, scene::PlannedShadow&);
+    const Change changes[] = {
+        [](scene::Object& o, scene::PlannedShadow&) { o.world_from_object[3].x += 1.0f; },
+        [](scene::Object& o, scene::PlannedShadow&) { o.mesh = std::make_shared<raster::Mesh>(*o.mesh); },
+        [](scene::Object& o, scene::PlannedShadow&) { o.part_hidden.assign(o.mesh->parts.size(), true); },
+        [](scene::Object&, scene::PlannedShadow& s) { s.casters.push_back(s.casters[0]); },
+        [](scene::Object&, scene::PlannedShadow& s) { s.source.kind = shadows::LightKind(2 - int(s.source.kind)); },
+        [](scene::Object&, scene::PlannedShadow& s) { s.source.direction.x += 0.5f; },
+        [](scene::Object&, scene::PlannedShadow& s) { s.source.position.x += 0.5f; },
+        [](scene::Object&, scene::PlannedShadow& s) { s.source.outer_cone_deg += 0.5f; },
+        [](scene::Object&, scene::PlannedShadow& s) { s.map.views.push_back(s.map.views[0]); },
+        [](scene::Object&, scene::PlannedShadow& s) { s.map.views[0].view_from_world[1].y += 0.5f; },
+        [](scene::Object&, scene::PlannedShadow& s) { s.map.views[0].origin.z += 0.5f; },
+        [](scene::Object&, scene::PlannedShadow& s) { s.map.views[0].perspective ^= true; },
+        [](scene::Object&, scene::PlannedShadow& s) { s.map.views[0].half_size.y += 0.5f; },
+        [](scene::Object&, scene::PlannedShadow& s) { s.map.views[0].near += 0.5f; },
+        [](scene::Object&, scene::PlannedShadow& s) { s.map.views[0].far += 0.5f; },
+        [](scene::Object&, scene::PlannedShadow& s) { s.map.settings.method = shadows::ShadowMethod::exact; },
+        [](scene::Object&, scene::PlannedShadow& s) { s.map.settings.size += 1; },
+        [](scene::Object&, scene::PlannedShadow& s) { s.map.settings.filter = shadows::ShadowFilter::pcss; },
+        [](scene::Object&, scene::PlannedShadow& s) { s.map.settings.radius += 1; },
+        [](scene::Object&, scene::PlannedShadow& s) { s.map.settings.light_size += 0.5f; },
+        [](scene::Object&, scene::PlannedShadow& s) { s.map.settings.bias = shadows::ShadowBias::none; },
+        [](scene::Object&, scene::PlannedShadow& s) { s.map.settings.constant_bias += 0.5f; },
+        [](scene::Object&, scene::PlannedShadow& s) { s.map.settings.slope_bias += 0.5f; },
+        [](scene::Object&, scene::PlannedShadow& s) { s.map.settings.cull = raster::CullMode::front; },
+    };
+    int number = 0;
+    for (const Change change : changes) {
+        CAPTURE(number++);
+        scene::Scene other = scene;
+        scene::PlannedShadow planned = shadow;
+        change(other.objects[static_cast<std::size_t>(planned.casters[0])], planned);
+        CHECK(shadow_inputs(other, planned) != inputs);
+    }
 }
