@@ -16,6 +16,7 @@
 #include "raster/triangle_setup.hpp"
 #include "scene/files/file_key.hpp"
 #include "scene/files/key_tables.hpp"
+#include "scene/files/loaded_files.hpp"
 #include "scene/files/mesh_file.hpp"
 #include "scene/files/toml_check.hpp"
 #include "scene/join_parts.hpp"
@@ -61,13 +62,11 @@ raster::Mesh built_in_mesh(const Value& table, const ObjectTable& read, int deta
 }
 
 SharedMesh ObjectReader::load_file(const std::string& path, Normals normals, const std::optional<float>& crease) {
-    const bool is_ready = options.ready && path == options.ready_path && normals == Normals::file && !crease;
-    LoadedMesh loaded =
-        is_ready ? std::move(*options.ready) : load_mesh_file(path, {normals, options.allow_outside, crease});
-    const SharedMesh shared{std::make_shared<const raster::Mesh>(std::move(loaded.mesh)),
-                            static_cast<int>(scene.materials.size())};
-    scene.warnings.insert(scene.warnings.end(), loaded.warnings.begin(), loaded.warnings.end());
-    scene.materials.insert(scene.materials.end(), loaded.materials.begin(), loaded.materials.end());
+    const std::shared_ptr<const LoadedMesh> loaded =
+        load_mesh(options.files, path, {normals, options.allow_outside, crease});
+    const SharedMesh shared{{loaded, &loaded->mesh}, static_cast<int>(scene.materials.size())};
+    scene.warnings.insert(scene.warnings.end(), loaded->warnings.begin(), loaded->warnings.end());
+    scene.materials.insert(scene.materials.end(), loaded->materials.begin(), loaded->materials.end());
     return shared;
 }
 
@@ -80,12 +79,16 @@ SharedMesh ObjectReader::mesh_of(const Value& table, const ObjectTable& read) {
     const std::vector<std::string> shapes = built_in_names();
     if (std::find(shapes.begin(), shapes.end(), name) != shapes.end()) {
         const int detail = read.detail.value_or(raster::default_detail(name).value());
-        SharedMesh& shared = meshes[name + " detail " + std::to_string(detail) + with_normals];
-        if (!shared.mesh) shared.mesh = std::make_shared<raster::Mesh>(built_in_mesh(table, read, detail));
+        const std::string key = name + " detail " + std::to_string(detail) + with_normals;
+        SharedMesh& shared = meshes[key];
+        if (shared.mesh) return shared;
+        shared.mesh = find_or_make(options.files, &LoadedFiles::shapes, key,
+                                   [&](std::vector<UsedFile>&) { return built_in_mesh(table, read, detail); });
         return shared;
     }
     const std::filesystem::path path = (std::filesystem::path(folder) / name).lexically_normal();
     std::error_code error;
+    if (options.files) options.files->used.push_back(use_file(path.string(), FileUse::presence));
     if (!std::filesystem::exists(path, error)) {
         const bool names_file = path.has_extension() || name.find('/') != std::string::npos;
         const std::string file =

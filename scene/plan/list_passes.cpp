@@ -4,6 +4,7 @@
 
 #include "scene/plan/environment_plan.hpp"
 #include "scene/plan/pass_functions.hpp"
+#include "scene/plan/pass_inputs.hpp"
 #include "scene/plan/plan_cost.hpp"
 #include "scene/plan/shadow_words.hpp"
 
@@ -74,6 +75,7 @@ void list_shadows(Listing& list) {
         pass.scope = PassScope::frame;
         pass.run = list.plan.shadows_by_frame ? make_frame_shadow : build_shadow;
         pass.index = number(shadow, list.plan);
+        if (!list.plan.shadows_by_frame) pass.inputs = shadow_inputs(list.scene, shadow);
         if (list.plan.seen) pass.bound = "whether anything that is seen lies in it is known once it is there";
         list.passes.push_back(std::move(pass));
     }

@@ -97,12 +97,33 @@ void prepare_pictures(const Scene& scene, const RenderPlan& plan, RenderBuffers&
     }
 }
 
+/// What the frame before left of a shadow goes where the plan has that shadow now.
+void arrange_kept(const RenderPlan& plan, RenderBuffers& buffers) {
+    std::vector<ShadowMemory>& kept = buffers.shadows;
+    for (const PlannedPass& pass : plan.passes) {
+        if (pass.run != build_shadow || pass.inputs.empty()) continue;
+        const auto place = static_cast<std::size_t>(pass.index);
+        if (place < kept.size() && kept[place].inputs == pass.inputs) continue;
+        const auto found = std::find_if(kept.begin(), kept.end(),
+                                        [&](const ShadowMemory& memory) { return memory.inputs == pass.inputs; });
+        if (found == kept.end()) continue;
+        if (place >= kept.size()) {
+            const auto number = found - kept.begin();
+            kept.resize(place + 1);
+            std::swap(kept[place], kept[static_cast<std::size_t>(number)]);
+        } else {
+            std::swap(kept[place], *found);
+        }
+    }
+}
+
 /// Everything that the passes write has its place before the first of them runs.
 void prepare_buffers(const Scene& scene, const RenderPlan& plan, RenderBuffers& buffers) {
     buffers.instances = make_instances(scene);
     if (plan.draws_objects) lay_out_vertices(buffers.instances, plan.vertex, buffers.streams);
     buffers.triangles.grid = raster::make_tile_grid(plan.viewport, plan.samples);
     buffers.triangles.chunks.resize(plan.draws_objects ? buffers.triangles.chunks.size() : 0);
+    if (buffers.keeps_results) arrange_kept(plan, buffers);
     buffers.shadows.resize(plan.shadows.size());
     prepare_pictures(scene, plan, buffers);
 }

@@ -23,6 +23,13 @@ void build_shadow(const PassWork& work) {
     const Frame& frame = work.frame;
     const PlannedShadow& planned = frame.plan.shadows[static_cast<std::size_t>(work.pass.index)];
     ShadowMemory& memory = frame.buffers.shadows[static_cast<std::size_t>(work.pass.index)];
+    const bool is_kept = frame.buffers.keeps_results && !work.pass.inputs.empty() && memory.inputs == work.pass.inputs;
+    if (is_kept) return;
+    memory.inputs = work.pass.inputs;
+    memory.meshes.clear();
+    for (const int object : planned.casters) {
+        memory.meshes.push_back(frame.scene.objects[static_cast<std::size_t>(object)].mesh);
+    }
     if (planned.map.settings.method == shadows::ShadowMethod::exact) {
         memory.exact = build_exact_shadow(collect_occluders(frame, planned.casters).list, planned.source);
         memory.is_exact_ready = true;

@@ -4,6 +4,7 @@
 #pragma once
 
 #include <memory>
+#include <string>
 #include <vector>
 
 #include "lighting/batch/channels.hpp"
@@ -21,6 +22,8 @@ struct ShadowMemory {
     shadows::ExactShadow exact;
     bool is_exact_ready = false;
     std::vector<float> factor;  ///< of every sample of the picture, by methods that find all at once
+    std::string inputs;         ///< of the pass that left the map or the tree; empty: there is none
+    std::vector<std::shared_ptr<const raster::Mesh>> meshes;  ///< that the inputs name
 };
 
 /// channels.shadow at every point for the light of that number, counted among those that are on. False (and nothing is
