@@ -39,7 +39,8 @@ int index_from_zero(ObjScanner& s, std::size_t kind, std::int64_t index, std::st
     const std::int64_t count = s.counts[kind];
     if (index == 0 && kind == 0) fail_index(s, kind, token, "indices count from 1");
     if (index == 0) {
-        warn_of_index(s, "indices 0", token, "indices count from 1; 0 is taken for no " + std::string(kKindNames[kind]));
+        warn_of_index(s, "indices 0", token,
+                      "indices count from 1; 0 is taken for no " + std::string(kKindNames[kind]));
         return -1;
     }
     if (index >= -count && index <= count) return static_cast<int>(index > 0 ? index - 1 : count + index);
@@ -108,11 +109,11 @@ void settle_open_references(ObjScanner& s) {
                                     : "there are " + std::to_string(reference.count) + " before this line";
         if (!can_do_without) fail_index(s, reference.kind, reference.token, why);
         warn_of_index(s,
-             is_normal ? "indices of normals (vn) that are not there"
-                       : "indices of texture coordinates (vt) in a file without",
-             reference.token,
-             is_normal ? "no such normal: " + why + " (vn); a smooth one is made"
-                       : "no such texture coordinate: " + why + " (vt); the corner has none");
+                      is_normal ? "indices of normals (vn) that are not there"
+                                : "indices of texture coordinates (vt) in a file without",
+                      reference.token,
+                      is_normal ? "no such normal: " + why + " (vn); a smooth one is made"
+                                : "no such texture coordinate: " + why + " (vt); the corner has none");
     }
     if (s.open.empty()) return;
     for (ObjCorner& corner : s.scan.corners) {
