@@ -69,6 +69,19 @@ Ball ball_around(const raster::Mesh& mesh, const std::string& path) {
     return ball;
 }
 
+/// For the length of a reading: the mesh that was read to make the scene is the scene's, too.
+struct Reading {
+    scene::LoadedFiles& files;
+    explicit Reading(scene::LoadedFiles& store) : files(store) {
+        files.is_reading = true;
+    }
+    ~Reading() {
+        files.is_reading = false;
+    }
+    Reading(const Reading&) = delete;
+    Reading& operator=(const Reading&) = delete;
+};
+
 /// A string as TOML wants it; JSON's rules are the same.
 std::string string_text(const std::string& text) {
     return nlohmann::json(text).dump();
@@ -107,6 +120,7 @@ scene::Scene read_scene_around_mesh(const std::string& path, const scene::ReadOp
     scene::ReadOptions with_store = read;
     if (!with_store.files) with_store.files = &own;
     const auto loaded = load_mesh(with_store.files, path, {scene::Normals::file, read.allow_outside});
+    const Reading reading(*with_store.files);
     return scene::read_scene_text(scene_around_mesh(path, loaded->mesh), "scene around " + path, "", with_store);
 }
 

@@ -12,6 +12,13 @@ void forget_unused(KeptByKey<Thing>& kept) {
 
 }  // namespace
 
+bool still_holds(const LoadedFiles& files, const std::vector<UsedFile>& from) {
+    if (!files.is_reading) return is_unchanged(from);
+    std::vector<UsedFile> settled = from;
+    for (UsedFile& file : settled) file.is_settled = true;
+    return is_unchanged(settled);
+}
+
 void forget_unused(LoadedFiles& files) {
     forget_unused(files.meshes);
     forget_unused(files.shapes);

@@ -42,7 +42,12 @@ struct LoadedFiles {
     TangentMeshes tangents;
     std::vector<UsedFile> used;  ///< every path that was looked at since forget_unused()
     int reads = 0;               ///< how often a file was read and decoded
+    /// While one scene is being read: what was read a moment ago serves, however new the file is.
+    bool is_reading = false;
 };
+
+/// Is all of it as it was when something was made of it?
+[[nodiscard]] bool still_holds(const LoadedFiles& files, const std::vector<UsedFile>& from);
 
 /// Throw away what was not asked for since the last call.
 void forget_unused(LoadedFiles& files);
@@ -52,7 +57,7 @@ template <class Thing>
 [[nodiscard]] std::shared_ptr<const Thing> find_kept(LoadedFiles& files, KeptByKey<Thing> LoadedFiles::*kind,
                                                      const std::string& key) {
     const auto found = (files.*kind).find(key);
-    if (found == (files.*kind).end() || !is_unchanged(found->second.from)) return nullptr;
+    if (found == (files.*kind).end() || !still_holds(files, found->second.from)) return nullptr;
     found->second.is_used = true;
     files.used.insert(files.used.end(), found->second.from.begin(), found->second.from.end());
     return found->second.thing;

@@ -10,7 +10,7 @@ namespace {
 constexpr std::array<const char*, kObjKinds> kKindNames = {"position", "texture coordinate", "normal"};
 constexpr std::array<const char*, kObjKinds> kKindStatements = {"v", "vt", "vn"};
 
-void warn(ObjScanner& s, std::string_view kind, std::string_view token, const std::string& message) {
+void warn_of_index(ObjScanner& s, std::string_view kind, std::string_view token, const std::string& message) {
     s.warnings.add(kind, s.cursor.offset_of(token), token_in_quotes(token) + ": " + message);
 }
 
@@ -39,7 +39,8 @@ int index_from_zero(ObjScanner& s, std::size_t kind, std::int64_t index, std::st
     const std::int64_t count = s.counts[kind];
     if (index == 0 && kind == 0) fail_index(s, kind, token, "indices count from 1");
     if (index == 0) {
-        warn(s, "indices 0", token, "indices count from 1; 0 is taken for no " + std::string(kKindNames[kind]));
+        warn_of_index(s, "indices 0", token,
+                      "indices count from 1; 0 is taken for no " + std::string(kKindNames[kind]));
         return -1;
     }
     if (index >= -count && index <= count) return static_cast<int>(index > 0 ? index - 1 : count + index);
@@ -107,12 +108,12 @@ void settle_open_references(ObjScanner& s) {
                                     ? "the file has " + std::to_string(count)
                                     : "there are " + std::to_string(reference.count) + " before this line";
         if (!can_do_without) fail_index(s, reference.kind, reference.token, why);
-        warn(s,
-             is_normal ? "indices of normals (vn) that are not there"
-                       : "indices of texture coordinates (vt) in a file without",
-             reference.token,
-             is_normal ? "no such normal: " + why + " (vn); a smooth one is made"
-                       : "no such texture coordinate: " + why + " (vt); the corner has none");
+        warn_of_index(s,
+                      is_normal ? "indices of normals (vn) that are not there"
+                                : "indices of texture coordinates (vt) in a file without",
+                      reference.token,
+                      is_normal ? "no such normal: " + why + " (vn); a smooth one is made"
+                                : "no such texture coordinate: " + why + " (vt); the corner has none");
     }
     if (s.open.empty()) return;
     for (ObjCorner& corner : s.scan.corners) {

@@ -70,7 +70,7 @@ Sources sources_of(const std::vector<UsedFile>& used, const std::string& output,
     return sources;
 }
 
-bool is_own(const std::string& path, const std::string& output) {
+bool is_output(const std::string& path, const std::string& output) {
     const std::string name = fs::path(path).filename().string(), own = fs::path(output).filename().string();
     return name == own || (name.starts_with("." + own) && name.ends_with(".tmp")) || name == ".kreda-cache";
 }
@@ -85,7 +85,7 @@ bool has_changed(const Sources& sources) {
 /// Is one of these changes to the picture's sources?
 bool matters(const std::set<std::string>& changed, const Sources& sources, const std::string& output) {
     return std::any_of(changed.begin(), changed.end(), [&](const std::string& path) {
-        return !is_own(path, output) && (sources.looks_around || sources.paths.contains(path));
+        return !is_output(path, output) && (sources.looks_around || sources.paths.contains(path));
     });
 }
 
