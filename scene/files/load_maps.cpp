@@ -1,6 +1,7 @@
 #include "scene/files/load_maps.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <filesystem>
 #include <map>
@@ -140,8 +141,9 @@ struct Wanted {
     bool with_pyramid = false;
     std::shared_ptr<const raster::Texture> texture;
 };
-/// The file, what it means, and how heights become normals (bump scale, wrap); 0 where they are none.
-using ReadWay = std::tuple<std::string, MapKind, float, int>;
+/// The file or the bytes, what they mean, how heights become normals (bump scale, wrap; 0 where they are none), and
+/// what is made of the values (channel, factor, offset).
+using ReadWay = std::tuple<std::string, const std::string*, MapKind, float, int, int, std::array<float, 4>>;
 using WantedFiles = std::map<ReadWay, Wanted>;
 
 /// One name for a file, however the scene writes it.
@@ -153,14 +155,34 @@ std::string canonical(const std::string& path) {
 
 ReadWay way_of(const lighting::MaterialMaps& maps, const lighting::MapUse& use) {
     const bool is_height = use.kind == MapKind::normal && maps.normal_from_height;
-    return {canonical((maps.*use.map).file), use.kind, is_height ? maps.bump_scale : 0.0f,
-            is_height ? 1 + static_cast<int>(maps.wrap) : 0};
+    const lighting::Map& map = maps.*use.map;
+    return {map.bytes ? map.file : canonical(map.file),
+            map.bytes.get(),
+            use.kind,
+            is_height ? maps.bump_scale : 0.0f,
+            is_height ? 1 + static_cast<int>(maps.wrap) : 0,
+            map.channel,
+            {map.factor.x, map.factor.y, map.factor.z, map.offset}};
+}
+
+StoredImage stored_image_of(const lighting::Map& map) {
+    return map.bytes ? read_stored_bytes(map.file, *map.bytes) : read_stored_image(map.file);
+}
+
+/// What the map makes of the picture's values.
+void apply_factor(const lighting::Map& map, raster::Image& image) {
+    if (map.factor == glm::vec3(1.0f) && map.offset == 0.0f) return;
+    for (int c = 0; c < image.channels; ++c) {
+        float* const values = image.plane(c);
+        for (std::size_t i = 0; i < image.plane_size(); ++i) values[i] = map.offset + map.factor[c] * values[i];
+    }
 }
 
 /// What a file says as a map of that kind, and warnings about it.
 raster::Image decoded_map(const std::string& path, const StoredImage& stored, MapKind kind,
-                          std::vector<std::string>& warnings) {
-    const ColorChannels channels = color_channels(stored.channels, stored.alpha);
+                          std::vector<std::string>& warnings, int channel = 0) {
+    ColorChannels channels = color_channels(stored.channels, stored.alpha);
+    if (channel > 0 && channels.count == 3) channels.index[0] = channels.index[static_cast<std::size_t>(channel)];
     Decoder decoder{kind, stored};
     const raster::Image decoded = decode(channels, decoder);
     warn(path, channels, decoder, warnings);
@@ -176,6 +198,14 @@ raster::Image normals_of_bump(const std::string& path, const lighting::MaterialM
         return decoded_map(path, stored, MapKind::normal, warnings);
     }
     return normals_of_heights(decoded_map(path, stored, MapKind::value, warnings), maps.bump_scale, maps.wrap);
+}
+
+std::shared_ptr<const raster::Texture> texture_of(const lighting::Map& map, MapKind kind, bool with_pyramid,
+                                                  std::vector<std::string>& warnings) {
+    const int channel = kind == MapKind::value ? map.channel : 0;
+    raster::Image decoded = decoded_map(map.file, stored_image_of(map), kind, warnings, channel);
+    apply_factor(map, decoded);
+    return std::make_shared<raster::Texture>(raster::make_texture(decoded, with_pyramid));
 }
 
 /// Calls visit(material, use, map) for every map that must come from a file.
@@ -195,8 +225,9 @@ void for_each_wanted(Scene& scene, const std::vector<bool>& materials, Visit vis
 
 std::shared_ptr<const raster::Texture> load_texture(const std::string& path, MapKind kind, bool with_pyramid,
                                                     std::vector<std::string>& warnings) {
-    const raster::Image decoded = decoded_map(path, read_stored_image(path), kind, warnings);
-    return std::make_shared<raster::Texture>(raster::make_texture(decoded, with_pyramid));
+    lighting::Map map;
+    map.file = path;
+    return texture_of(map, kind, with_pyramid, warnings);
 }
 
 void load_maps(Scene& scene, const std::vector<bool>& materials) {
@@ -214,7 +245,7 @@ void load_maps(Scene& scene, const std::vector<bool>& materials) {
                 const raster::Image normals = normals_of_bump(map.file, material.maps, scene.warnings);
                 wanted.texture = std::make_shared<raster::Texture>(raster::make_texture(normals, wanted.with_pyramid));
             }
-            if (!wanted.texture) wanted.texture = load_texture(map.file, use.kind, wanted.with_pyramid, scene.warnings);
+            if (!wanted.texture) wanted.texture = texture_of(map, use.kind, wanted.with_pyramid, scene.warnings);
             map.texture = wanted.texture;
         });
     add_tangents(scene);
