@@ -13,7 +13,7 @@ GUIDES = {
                  ("docs/references.bib", "References")],
     "To use": [("README.md", "Kreda in a page"), ("docs/debugging.md", "Step through it"),
                ("docs/steps.md", "Every stage a picture"), ("docs/environment.md", "Light from an image"),
-               ("docs/performance.md", "Performance")],
+               ("docs/gltf.md", "Models from elsewhere"), ("docs/performance.md", "Performance")],
     "To build on": [("docs/architecture.md", "The rooms of the house"), ("docs/extend.md", "Add a distribution"),
                     ("CONTRIBUTING.md", "How to change Kreda"), ("docs/joss.md", "For a journal's reviewer"),
                     ("docs/sources-of-data.md", "Where the data comes from"), ("CODE_OF_CONDUCT.md", "Code of conduct"),
