@@ -161,7 +161,7 @@ constexpr const char* kLights =
 /// Metals reflect what is around them: without surroundings they are black.
 constexpr const char* kStudio =
     "[environment]\nsky = \"studio\"\n"
-    "[[light]]\ndirection = [0.6, -1.0, -0.8]\ncolor = [1, 0.97, 0.9]\nintensity = 2\n";
+    "[[light]]\ndirection = [0.6, -1.0, -0.8]\ncolor = [1, 0.97, 0.9]\n";
 
 }  // namespace
 
