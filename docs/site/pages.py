@@ -15,6 +15,7 @@ GUIDES = {
                ("docs/steps.md", "Every stage a picture"), ("docs/environment.md", "Light from an image"),
                ("docs/gltf.md", "Models from elsewhere"), ("docs/performance.md", "Performance")],
     "To build on": [("docs/architecture.md", "The rooms of the house"), ("docs/extend.md", "Add a distribution"),
+                    ("docs/install.md", "Install it, build on it"),
                     ("CONTRIBUTING.md", "How to change Kreda"), ("docs/joss.md", "For a journal's reviewer"),
                     ("docs/sources-of-data.md", "Where the data comes from"), ("CODE_OF_CONDUCT.md", "Code of conduct"),
                     ("CHANGELOG.md", "What changed")],
