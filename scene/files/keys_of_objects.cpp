@@ -165,7 +165,8 @@ const std::vector<Key<ObjectTable>>& object_keys() {
                    "where normals are made: sharper edges stay edges, degrees; without it 60, and a scan's specks are "
                    "smoothed",
                    {.range = {0, 180}, .example = "30"}),
-            row<T>("material", &T::material, "without it, the file's own materials (glTF, or an OBJ's MTL)", {.example = "\"gold\""}),
+            row<T>("material", &T::material, "without it, the file's own materials (glTF, or an OBJ's MTL)",
+                   {.example = "\"gold\""}),
             row<T>("translate", placement(&ObjectPlacement::translate), "moved last", {.range = kPlace}),
             row<T>("rotate", placement(&ObjectPlacement::rotate_deg), "degrees about x, then y, then z",
                    {.example = "[0, 45, 0]"}),

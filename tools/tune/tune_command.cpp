@@ -184,7 +184,8 @@ void add_tune_command(CLI::App& app) {
     CLI::App* command =
         app.add_subcommand("tune", "Find the cheapest settings of a scene within an error, and verify them");
     const auto options = std::make_shared<CommandOptions>();
-    command->add_option("scene", options->file, "The scene file (TOML) or mesh (OBJ, glTF); without it, a built-in teapot")
+    command
+        ->add_option("scene", options->file, "The scene file (TOML) or mesh (OBJ, glTF); without it, a built-in teapot")
         ->type_name("SCENE.toml|MESH.obj");
     command->add_option("--max-error", options->max_error, "The most that the picture may err, in codes of 8 bits")
         ->type_name("CODES")

@@ -7,7 +7,8 @@
 #include <scene/render/render.hpp>
 
 int main(int, char** argv) {
-    const kreda::scene::Scene scene = kreda::scene::read_scene(argv[1]);
+    const kreda::scene::Scene scene =
+        kreda::scene::read_scene(argv[1], {.overrides = {"image.size=[64, 36]", "image.samples=1"}});
     kreda::scene::write_exr(argv[2], kreda::scene::render(scene));
     std::printf("%d objects\n", static_cast<int>(scene.objects.size()));
 }
