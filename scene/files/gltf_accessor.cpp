@@ -44,7 +44,7 @@ std::size_t size_of_component(int type) {
 }
 
 template <class Number>
-Number number_at(const unsigned char* bytes) {
+Number gltf_number_at(const unsigned char* bytes) {
     Number number;
     std::memcpy(&number, bytes, sizeof number);
     return number;
@@ -54,19 +54,19 @@ Number number_at(const unsigned char* bytes) {
 float component_at(const unsigned char* bytes, int type, bool normalized) {
     const auto share = [&](float c, float most) { return normalized ? std::max(c / most, -1.0f) : c; };
     switch (type) {
-        case TINYGLTF_COMPONENT_TYPE_BYTE: return share(number_at<std::int8_t>(bytes), 127.0f);
-        case TINYGLTF_COMPONENT_TYPE_UNSIGNED_BYTE: return share(number_at<std::uint8_t>(bytes), 255.0f);
-        case TINYGLTF_COMPONENT_TYPE_SHORT: return share(number_at<std::int16_t>(bytes), 32767.0f);
-        case TINYGLTF_COMPONENT_TYPE_UNSIGNED_SHORT: return share(number_at<std::uint16_t>(bytes), 65535.0f);
-        case TINYGLTF_COMPONENT_TYPE_UNSIGNED_INT: return static_cast<float>(number_at<std::uint32_t>(bytes));
-        default: return number_at<float>(bytes);
+        case TINYGLTF_COMPONENT_TYPE_BYTE: return share(gltf_number_at<std::int8_t>(bytes), 127.0f);
+        case TINYGLTF_COMPONENT_TYPE_UNSIGNED_BYTE: return share(gltf_number_at<std::uint8_t>(bytes), 255.0f);
+        case TINYGLTF_COMPONENT_TYPE_SHORT: return share(gltf_number_at<std::int16_t>(bytes), 32767.0f);
+        case TINYGLTF_COMPONENT_TYPE_UNSIGNED_SHORT: return share(gltf_number_at<std::uint16_t>(bytes), 65535.0f);
+        case TINYGLTF_COMPONENT_TYPE_UNSIGNED_INT: return static_cast<float>(gltf_number_at<std::uint32_t>(bytes));
+        default: return gltf_number_at<float>(bytes);
     }
 }
 
 std::uint32_t index_at(const unsigned char* bytes, int type) {
-    if (type == TINYGLTF_COMPONENT_TYPE_UNSIGNED_BYTE) return number_at<std::uint8_t>(bytes);
-    if (type == TINYGLTF_COMPONENT_TYPE_UNSIGNED_SHORT) return number_at<std::uint16_t>(bytes);
-    return number_at<std::uint32_t>(bytes);
+    if (type == TINYGLTF_COMPONENT_TYPE_UNSIGNED_BYTE) return gltf_number_at<std::uint8_t>(bytes);
+    if (type == TINYGLTF_COMPONENT_TYPE_UNSIGNED_SHORT) return gltf_number_at<std::uint16_t>(bytes);
+    return gltf_number_at<std::uint32_t>(bytes);
 }
 
 bool is_index_type(int type) {

@@ -25,7 +25,7 @@ namespace kreda::scene {
 namespace {
 
 constexpr std::size_t kMostVertices = std::size_t(1) << 26;
-constexpr std::uint32_t kNone = 0xffffffffu;
+constexpr std::uint32_t kNoVertex = 0xffffffffu;
 
 /// The mesh as it grows. Positions stay in double until all are there: a float would lose what lies far from 0.
 struct Assembly {
@@ -101,11 +101,11 @@ void Assembly::add_part(const PlacedNode& placed, const GltfPrimitive& primitive
     const glm::dmat3 normal_matrix = cofactors(linear);
     const double side = glm::determinant(linear) < 0.0 ? -1.0 : 1.0;
     raster::MeshPart part{name, mesh.triangle_count(), from.triangle_count(), primitive.material};
-    std::vector<std::uint32_t> new_index(from.positions.size(), kNone);
+    std::vector<std::uint32_t> new_index(from.positions.size(), kNoVertex);
     for (std::size_t i = 0; i < from.indices.size(); ++i) {
         const std::size_t corner = side < 0.0 && i % 3 != 0 ? i + 3 - 2 * (i % 3) : i;  // 0, 2, 1
         const std::uint32_t vertex = from.indices[corner];
-        if (new_index[vertex] == kNone) {
+        if (new_index[vertex] == kNoVertex) {
             new_index[vertex] = static_cast<std::uint32_t>(positions.size());
             add_vertex(placed.world_from_node, normal_matrix, side, from, vertex);
         }

@@ -34,7 +34,7 @@ const tinygltf::Value* find_extension(const ExtensionMap& extensions, const std:
     return found != extensions.end() && found->second.IsObject() ? &found->second : nullptr;
 }
 
-double number_in(const tinygltf::Value& object, const std::string& key, double otherwise) {
+double gltf_number_in(const tinygltf::Value& object, const std::string& key, double otherwise) {
     const tinygltf::Value& value = object.Get(key);
     return value.IsNumber() ? value.GetNumberAsDouble() : otherwise;
 }
@@ -55,10 +55,10 @@ GltfUv uv_of_use(const TextureUse& use) {
     uv.set = use.set;
     const tinygltf::Value* const transform = find_extension(*use.extensions, "KHR_texture_transform");
     if (!transform) return uv;
-    uv.set = static_cast<int>(number_in(*transform, "texCoord", uv.set));
+    uv.set = static_cast<int>(gltf_number_in(*transform, "texCoord", uv.set));
     uv.offset = pair_in(*transform, "offset", 0.0);
     uv.scale = pair_in(*transform, "scale", 1.0);
-    uv.rotation = number_in(*transform, "rotation", 0.0);
+    uv.rotation = gltf_number_in(*transform, "rotation", 0.0);
     return uv;
 }
 
@@ -110,7 +110,7 @@ std::optional<lighting::Map> MaterialsReader::map_of(const TextureUse& use) {
     const tinygltf::Texture& texture = gltf.model.textures[static_cast<std::size_t>(use.texture)];
     int source = texture.source;
     if (const auto* webp = find_extension(texture.extensions, "EXT_texture_webp"); webp && source < 0)
-        source = static_cast<int>(number_in(*webp, "source", -1.0));
+        source = static_cast<int>(gltf_number_in(*webp, "source", -1.0));
     if (!has_element(gltf.model.images, source)) {
         const bool is_basis = find_extension(texture.extensions, "KHR_texture_basisu") != nullptr;
         if (is_basis) {
@@ -217,7 +217,7 @@ lighting::Material MaterialsReader::read(const tinygltf::Material& from, std::si
     to.phong.specular = glm::vec3(0.0f);
     double strength = 1.0;
     if (const auto* more = find_extension(from.extensions, "KHR_materials_emissive_strength"))
-        strength = std::clamp(number_in(*more, "emissiveStrength", 1.0), 0.0, 1e9);
+        strength = std::clamp(gltf_number_in(*more, "emissiveStrength", 1.0), 0.0, 1e9);
     if (from.emissiveFactor.size() == 3 && !is_unlit) {
         for (int c = 0; c < 3; ++c)
             to.phong.emission[c] =

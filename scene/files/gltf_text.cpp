@@ -16,7 +16,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr std::uintmax_t kMaxBytes = std::uintmax_t(1) << 30;
+constexpr std::uintmax_t kMaxGltfBytes = std::uintmax_t(1) << 30;
 constexpr std::size_t kMaxDepth = 100;  // real files have about ten
 
 std::string read_file(const std::string& path) {
@@ -27,7 +27,7 @@ std::string read_file(const std::string& path) {
     if (!fs::is_regular_file(status)) throw UserError(Place{path}, "is not a regular file");
     const std::uintmax_t size = fs::file_size(path, failed);
     if (failed) throw UserError(Place{path}, "cannot be read: " + failed.message());
-    if (size > kMaxBytes) throw UserError(Place{path}, "is larger than 1 GB; reduce the mesh or split it");
+    if (size > kMaxGltfBytes) throw UserError(Place{path}, "is larger than 1 GB; reduce the mesh or split it");
     std::string bytes(static_cast<std::size_t>(size), '\0');
     std::ifstream stream(path, std::ios::binary);
     stream.read(bytes.data(), static_cast<std::streamsize>(size));
