@@ -5,13 +5,16 @@
 # Speed without changing a result: -fno-math-errno lets sqrt become one instruction, -fno-trapping-math lets
 # the compiler turn `condition ? a : b` into a select, which is what makes a loop vectorize.
 add_library(kreda_flags INTERFACE)
+# Programs that use the installed library get what exactness asks for, and choose warnings and instruction set themselves.
 target_compile_options(kreda_flags INTERFACE
-  -Wall -Wextra -Wshadow $<$<CXX_COMPILER_ID:GNU>:-Wno-restrict> -ffp-contract=off -fno-math-errno -fno-trapping-math)
+  $<BUILD_INTERFACE:-Wall> $<BUILD_INTERFACE:-Wextra> $<BUILD_INTERFACE:-Wshadow>
+  $<BUILD_INTERFACE:$<$<CXX_COMPILER_ID:GNU>:-Wno-restrict>>
+  -ffp-contract=off -fno-math-errno -fno-trapping-math)
 if(KREDA_WERROR)
-  target_compile_options(kreda_flags INTERFACE -Werror)
+  target_compile_options(kreda_flags INTERFACE $<BUILD_INTERFACE:-Werror>)
 endif()
 if(KREDA_MARCH)
-  target_compile_options(kreda_flags INTERFACE -march=${KREDA_MARCH})
+  target_compile_options(kreda_flags INTERFACE $<BUILD_INTERFACE:-march=${KREDA_MARCH}>)
 endif()
 if(KREDA_MULTIVERSION AND CMAKE_CXX_COMPILER_ID STREQUAL "GNU")
   target_compile_definitions(kreda_flags INTERFACE KREDA_MULTIVERSION=1)
@@ -23,7 +26,8 @@ if(KREDA_SANITIZE)
 endif()
 # Users of GLM see x, y, z in a debugger instead of three names for each component.
 target_compile_definitions(kreda_flags INTERFACE GLM_FORCE_XYZW_ONLY)
-target_include_directories(kreda_flags INTERFACE ${PROJECT_SOURCE_DIR})
+target_include_directories(kreda_flags INTERFACE $<BUILD_INTERFACE:${PROJECT_SOURCE_DIR}> $<INSTALL_INTERFACE:include/kreda>)
+target_compile_features(kreda_flags INTERFACE cxx_std_20)
 
 # A room is a folder of headers and sources, inner rooms included, that becomes one static library, kreda_<room>.
 function(kreda_room room)

@@ -14,7 +14,7 @@ set_target_properties(kreda_images PROPERTIES PREFIX lib SUFFIX .so CXX_VISIBILI
 if(NOT KREDA_SANITIZE AND NOT APPLE)
   target_link_options(kreda_images PRIVATE -Wl,--no-undefined)  # a missing function is an error of the build
 endif()
-install(TARGETS kreda_images LIBRARY DESTINATION lib/kreda)
+install(TARGETS kreda_images LIBRARY DESTINATION lib/kreda COMPONENT runtime)
 
 get_target_property(scene_sources kreda_scene SOURCES)
 foreach(source ${KREDA_IMAGE_SOURCES})

@@ -21,6 +21,9 @@ if(KREDA_TOOLS)
   target_include_directories(tomlplusplus_headers SYSTEM INTERFACE ${TOMLPLUSPLUS_INCLUDE_DIR})
   target_compile_definitions(tomlplusplus_headers INTERFACE TOML_HEADER_ONLY=1 TOML_ENABLE_FORMATTERS=0)
 
+  # Without it Kreda reads OBJ alone.
+  find_path(TINYGLTF_INCLUDE_DIR tiny_gltf.h)
+
   find_package(PNG REQUIRED)
   find_package(ZLIB REQUIRED)
   find_path(CLI11_INCLUDE_DIR CLI/CLI.hpp REQUIRED)

@@ -72,10 +72,14 @@ struct CookTorranceMaterial {
     std::optional<glm::vec3> f82;     ///< fresnel = f82: F at cos theta = 1/7; else from n and k
 };
 
-/// A picture that says what a quantity is at every point of a surface.
+/// A picture that says what a quantity is at every point of a surface:  quantity = offset + factor x picture.
 struct Map {
     std::string file;                                ///< where it comes from; empty: nowhere, or made by a program
     std::shared_ptr<const raster::Texture> texture;  ///< linear texels; null: not loaded. Maps of one file share it
+    std::shared_ptr<const std::string> bytes;  ///< of a picture that stands within another file; null: read `file`
+    int channel = 0;                           ///< maps of one value: 0, 1, 2 red, green, blue of the picture
+    glm::vec3 factor{1.0f};                    ///< of each component, linear
+    float offset = 0.0f;
 };
 
 /// Maps replace the constant of the same name, but emission multiplies it: a file of bytes ends at 1, light does not.

@@ -20,6 +20,7 @@ void add_keys_command(CLI::App& app);
 void add_gallery_command(CLI::App& app);
 void add_bench_command(CLI::App& app);
 void add_measure_command(CLI::App& app);
+void add_brdf_command(CLI::App& app);
 void add_tune_command(CLI::App& app);
 
 }  // namespace kreda::tools

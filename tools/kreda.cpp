@@ -102,6 +102,7 @@ int main(int argc, char** argv) {
         kreda::tools::add_gallery_command(app);
         kreda::tools::add_bench_command(app);
         kreda::tools::add_measure_command(app);
+        kreda::tools::add_brdf_command(app);
         kreda::tools::add_tune_command(app);
         return run(app, argc, argv);
     } catch (const kreda::scene::UserError& error) {

@@ -3,12 +3,14 @@
 #include <algorithm>
 #include <cmath>
 #include <filesystem>
+#include <numbers>
 #include <sstream>
 
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
 #include <nlohmann/json.hpp>
 
+#include "scene/files/gltf_text.hpp"
 #include "scene/files/loaded_files.hpp"
 #include "scene/files/scene_keys.hpp"
 
@@ -87,30 +89,127 @@ std::string string_text(const std::string& text) {
     return nlohmann::json(text).dump();
 }
 
+/// The camera that sees the whole ball.
+std::string camera_around(const Ball& ball) {
+    const double half_fov = glm::radians(0.5 * kVerticalFovDeg);
+    const double distance = 1.05 * ball.radius / std::sin(half_fov);
+    const glm::dvec3 to_camera = glm::normalize(glm::dvec3(0.45, 0.35, 1.0));
+    std::string text = "[camera]\nposition = " + vector_text(ball.centre + distance * to_camera) + "\n";
+    text += "target = " + vector_text(ball.centre) + "\nvertical_fov = " + number_text(kVerticalFovDeg) + "\n";
+    text += "near = " + number_text(0.05 * (distance - ball.radius)) + "\n";
+    return text + "far = " + number_text(distance + 2.0 * ball.radius) + "\n";
+}
+
+/// The file's camera, in the middle of [image]: its shape is the picture's. It may have no far plane.
+std::string camera_of_file(const scene::FileCamera& camera, const Ball& ball) {
+    constexpr int kPixels = 640;  // of the longer side
+    std::string text;
+    if (camera.aspect > 1.0 / 16.0 && camera.aspect < 16.0) {
+        const double longer = std::max(1.0, camera.aspect);
+        const auto pixels = [&](double side) { return std::to_string(std::lround(kPixels * side / longer)); };
+        text += "size = [" + pixels(camera.aspect) + ", " + pixels(1.0) + "]\n";
+    }
+    const double to_ball = glm::length(ball.centre - camera.position);
+    const double near = std::max({camera.near, 1e-9, 1e-5 * (to_ball + ball.radius)});
+    const double far = camera.far > near ? camera.far : std::max(2.0 * near, 1.1 * (to_ball + ball.radius));
+    const double ahead = std::max(near, glm::dot(ball.centre - camera.position, camera.forward));
+    text += "[camera]\nposition = " + vector_text(camera.position) + "\n";
+    text += "target = " + vector_text(camera.position + ahead * camera.forward) + "\n";
+    text += "up = " + vector_text(camera.up) + "\n";
+    if (camera.projection == raster::Projection::orthographic) {
+        text += "projection = \"orthographic\"\nheight = " + number_text(camera.height) + "\n";
+    } else {
+        text += "vertical_fov = " + number_text(camera.vertical_fov_deg) + "\n";
+    }
+    return text + "near = " + number_text(near) + "\nfar = " + number_text(far) + "\n";
+}
+
+/// What all lights of a file send to a point that faces them.
+double irradiance_at(const std::vector<scene::FileLight>& lights, const glm::dvec3& p) {
+    double sum = 0.0;
+    for (const scene::FileLight& light : lights) {
+        const double strongest = std::max({light.light.color.x, light.light.color.y, light.light.color.z});
+        const glm::dvec3 d = p - light.position;
+        const bool weakens = light.light.type != lighting::LightType::directional;
+        sum += light.light.intensity * strongest / (weakens ? std::max(glm::dot(d, d), 1e-12) : 1.0);
+    }
+    return sum;
+}
+
+/// Lamps are given in lux and candela: a bright day is 100,000. Outside of a range that eyes do not mind, a white wall
+/// that faces the lights (it gives back E / pi) is made white.
+double exposure_for(double irradiance) {
+    constexpr double kRange = 10.0;
+    const double white = irradiance / std::numbers::pi;
+    return white > 0.0 && (white > kRange || white < 1.0 / kRange) ? 1.0 / white : 1.0;
+}
+
+std::string light_text(const scene::FileLight& light) {
+    const bool is_spot = light.light.type == lighting::LightType::spot;
+    const bool is_sun = light.light.type == lighting::LightType::directional;
+    std::string text = std::string("[[light]]\ntype = ") + (is_spot  ? "\"spot\""
+                                                            : is_sun ? "\"directional\""
+                                                                     : "\"point\"");
+    text += "\ncolor = " + vector_text(glm::dvec3(light.light.color)) + "\nintensity = ";
+    text += number_text(double(light.light.intensity)) + "\n";
+    if (is_spot || is_sun) text += "direction = " + vector_text(glm::dvec3(light.light.direction)) + "\n";
+    if (!is_sun) text += "attenuation = \"physical\"\nposition = " + vector_text(light.position) + "\n";
+    if (is_spot) {
+        text += "cone = [" + number_text(double(light.light.inner_cone_deg)) + ", " +
+                number_text(double(light.light.outer_cone_deg)) + "]\n";
+    }
+    return text;
+}
+
+std::string lights_of_file(const scene::LoadedMesh& loaded) {
+    std::string text = "[ambient]\ncolor = [0.02, 0.02, 0.02]\n";
+    for (const scene::FileLight& light : loaded.lights) text += light_text(light);
+    return text;
+}
+
+constexpr const char* kLights =
+    "[ambient]\ncolor = [0.3, 0.3, 0.35]\n"
+    "[[light]]\ndirection = [0.6, -1.0, -0.8]\ncolor = [1, 0.97, 0.9]\n"
+    "[[light]]\ndirection = [-1.0, -0.2, -0.4]\ncolor = [0.5, 0.65, 1]\nintensity = 0.3\n";
+
+/// Metals reflect what is around them: without surroundings they are black.
+constexpr const char* kStudio =
+    "[environment]\nsky = \"studio\"\n"
+    "[[light]]\ndirection = [0.6, -1.0, -0.8]\ncolor = [1, 0.97, 0.9]\n";
+
 }  // namespace
 
 bool is_mesh_file(const std::string& path) {
     std::string extension = std::filesystem::path(path).extension().string();
     std::transform(extension.begin(), extension.end(), extension.begin(),
                    [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
-    return extension == ".obj";
+    return extension == ".obj" || scene::is_gltf_name(path);
 }
 
-std::string scene_around_mesh(const std::string& path, const raster::Mesh& mesh) {
-    const Ball ball = ball_around(mesh, path);
-    const double half_fov = glm::radians(0.5 * kVerticalFovDeg);
-    const double distance = 1.05 * ball.radius / std::sin(half_fov);
-    const glm::dvec3 to_camera = glm::normalize(glm::dvec3(0.45, 0.35, 1.0));
-    std::string text;
-    text += "[image]\nsamples = 3\nbackground = [0.55, 0.68, 0.85]\n";
-    text += "[camera]\nposition = " + vector_text(ball.centre + distance * to_camera) + "\n";
-    text += "target = " + vector_text(ball.centre) + "\nvertical_fov = " + number_text(kVerticalFovDeg) + "\n";
-    text += "near = " + number_text(0.05 * (distance - ball.radius)) + "\n";
-    text += "far = " + number_text(distance + 2.0 * ball.radius) + "\n";
-    text += "[shading]\ncull = \"none\"\n";
-    text += "[ambient]\ncolor = [0.3, 0.3, 0.35]\n";
-    text += "[[light]]\ndirection = [0.6, -1.0, -0.8]\ncolor = [1, 0.97, 0.9]\n";
-    text += "[[light]]\ndirection = [-1.0, -0.2, -0.4]\ncolor = [0.5, 0.65, 1]\nintensity = 0.3\n";
+std::string scene_around_mesh(const std::string& path, const scene::LoadedMesh& loaded) {
+    const Ball ball = ball_around(loaded.mesh, path);
+    const bool moved = !ball.placement.empty();  // then the file's own cameras and lights are elsewhere
+    const bool is_physical = std::ranges::any_of(loaded.materials, [](const lighting::Material& material) {
+        return material.model == lighting::ReflectionModel::cook_torrance;
+    });
+    const bool has_lights = !loaded.lights.empty() && !moved;
+    std::string text = "[image]\nsamples = 3\nbackground = [0.55, 0.68, 0.85]\n";
+    const double exposure = has_lights ? exposure_for(irradiance_at(loaded.lights, ball.centre)) : 1.0;
+    if (exposure != 1.0) text += "exposure = " + number_text(exposure) + "\n";
+    if (!loaded.cameras.empty() && !moved) {
+        text += camera_of_file(loaded.cameras.front(), ball);
+    } else {
+        text += camera_around(ball);
+    }
+    if (!scene::is_gltf_name(path)) {
+        text += kLights;
+    } else if (has_lights) {
+        text += lights_of_file(loaded);
+    } else {
+        text += is_physical ? kStudio : kLights;
+    }
+    const bool shows_backs = loaded.two_sided || !scene::is_gltf_name(path);
+    text += std::string("[shading]\ncull = ") + (shows_backs ? "\"none\"\n" : "\"back\"\n");
     text += "[[object]]\nmesh = " + string_text(std::filesystem::absolute(path).string()) + "\n" + ball.placement;
     return text;
 }
@@ -121,7 +220,7 @@ scene::Scene read_scene_around_mesh(const std::string& path, const scene::ReadOp
     if (!with_store.files) with_store.files = &own;
     const auto loaded = load_mesh(with_store.files, path, {scene::Normals::file, read.allow_outside});
     const Reading reading(*with_store.files);
-    return scene::read_scene_text(scene_around_mesh(path, loaded->mesh), "scene around " + path, "", with_store);
+    return scene::read_scene_text(scene_around_mesh(path, *loaded), "scene around " + path, "", with_store);
 }
 
 }  // namespace kreda::tools

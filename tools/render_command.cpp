@@ -224,6 +224,7 @@ delete the folder at will.
 Examples:
   kreda render scene.toml -o picture.png
   kreda render bunny.obj                                         any mesh, the camera in front of it
+  kreda render lamp.glb                                          a glTF scene with its materials, camera and lights
   kreda render scene.toml -o picture.exr --size 1920x1080        linear float, before tone mapping
   kreda render scene.toml --set camera.position=[0,1,4] --samples 4
   kreda render scene.toml --cache ../maps                        keep the environment's maps there

@@ -47,8 +47,8 @@ scene::Scene with_light_alone(const scene::Scene& scene, int light) {
 void add_scene_options(CLI::App& command, SceneOptions& options) {
     command
         .add_option("scene", options.file,
-                    "The scene file (TOML), or a mesh (OBJ) to look at; without it, a built-in teapot")
-        ->type_name("SCENE.toml|MESH.obj");
+                    "The scene file (TOML), or a mesh (OBJ, glTF) to look at; without it, a built-in teapot")
+        ->type_name("SCENE.toml|MESH.obj|MESH.glb");
     command
         .add_option("--set", options.read.overrides,
                     "Override a value of the scene: camera.position=[0,1,4], light.0.intensity=2, "
@@ -57,7 +57,7 @@ void add_scene_options(CLI::App& command, SceneOptions& options) {
         ->expected(1)
         ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);
     command.add_flag("--allow-outside", options.read.allow_outside,
-                     "Let OBJ and MTL files name files outside their own folder");
+                     "Let OBJ, MTL and glTF files name files outside their own folder");
     command.add_option("--size", options.size, "Width and height in pixels, e.g. 640x360")->type_name("WxH");
     command.add_option("--samples", options.samples, "N x N samples a pixel (antialiasing)")
         ->type_name("N")

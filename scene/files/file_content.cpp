@@ -9,7 +9,7 @@ namespace kreda::scene {
 namespace {
 
 constexpr std::string_view kUnpack = ", not what its name says; unpack it first";
-constexpr std::string_view kExport = "; Kreda reads meshes as OBJ: export one with Blender (File, Export, Wavefront)";
+constexpr std::string_view kExport = "; Kreda reads meshes as OBJ or glTF: export one with Blender (File, Export)";
 constexpr std::string_view kConvert = "; save it as PNG, JPEG or EXR";
 
 /// How its files begin: in lower case, blanks and what XML says of itself skipped.
@@ -37,7 +37,7 @@ constexpr std::array<Kind, 22> kKinds = {{
     {"solid ", "an STL mesh", kExport},
     {"off\n", "an OFF mesh", kExport},
     {"off\r", "an OFF mesh", kExport},
-    {"gltf", "a glTF scene", kExport},
+    {"gltf", "a glTF scene", ", not what its name says; call it .glb"},
     {"kaydara fbx", "an FBX scene", kExport},
     {"<collada", "a COLLADA scene", kExport},
     {"blender", "a Blender file", kExport},

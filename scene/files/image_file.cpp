@@ -147,16 +147,37 @@ struct OpenedImage {
     RadianceHeader radiance;   ///< orientation 0: not a Radiance file
 };
 
-void open_webp(const std::string& path, OpenedImage& opened) {
-    const std::string bytes = first_bytes(path, static_cast<std::size_t>(fs::file_size(path)));
+/// `opened.bytes` as an image of that format.
+void open_bytes(const std::string& path, const std::string& format, OpenedImage& opened) {
+    opened.memory = std::make_unique<OIIO::Filesystem::IOMemReader>(opened.bytes.data(), opened.bytes.size());
+    opened.input = OIIO::ImageInput::create(format);
+    if (!opened.input)
+        throw UserError(Place{path}, "cannot be read as an image: OpenImageIO has no " + format + " here");
+    OIIO::ImageSpec spec, wish;
+    wish.attribute("oiio:UnassociatedAlpha", 1);  // otherwise PNG's colours come multiplied by alpha
+    if (opened.input->set_ioproxy(opened.memory.get()) && opened.input->open(path, spec, wish)) return;
+    throw UserError(Place{path}, "is damaged: " + reason_of(opened.input->geterror(), "its pixels cannot be decoded"));
+}
+
+void open_webp(const std::string& path, const std::string& bytes, OpenedImage& opened) {
     opened.webp_orientation = webp_orientation(bytes);
     opened.bytes = webp_without_alpha(bytes);
-    opened.memory = std::make_unique<OIIO::Filesystem::IOMemReader>(opened.bytes.data(), opened.bytes.size());
-    opened.input = OIIO::ImageInput::create("webp");
-    OIIO::ImageSpec spec;
-    if (!opened.input) throw UserError(Place{path}, "cannot be read as an image: OpenImageIO has no WebP here");
-    if (opened.input->set_ioproxy(opened.memory.get()) && opened.input->open(path, spec)) return;
-    throw UserError(Place{path}, "is damaged: " + reason_of(opened.input->geterror(), "its pixels cannot be decoded"));
+    open_bytes(path, "webp", opened);
+}
+
+/// A file within another file: PNG, JPEG or WebP.
+OpenedImage open_input_in_memory(const std::string& name, const std::string& bytes) {
+    OpenedImage opened;
+    if (is_webp(bytes)) {
+        open_webp(name, bytes, opened);
+        return opened;
+    }
+    const bool is_png = bytes.starts_with("\x89PNG"), is_jpeg = bytes.starts_with("\xff\xd8\xff");
+    const std::string other = other_content(bytes);
+    if (!is_png && !is_jpeg) throw UserError(Place{name}, other.empty() ? "is neither a PNG nor a JPEG image" : other);
+    opened.bytes = bytes;
+    open_bytes(name, is_png ? "png" : "jpeg", opened);
+    return opened;
 }
 
 OpenedImage open_input(const std::string& path) {
@@ -164,7 +185,7 @@ OpenedImage open_input(const std::string& path) {
     const std::string start = first_bytes(path, kMostHeader);
     OpenedImage opened;
     if (is_webp(start)) {
-        open_webp(path, opened);
+        open_webp(path, first_bytes(path, static_cast<std::size_t>(fs::file_size(path))), opened);
         return opened;
     }
     OIIO::ImageSpec wish;
@@ -299,8 +320,7 @@ void judge_complaint(const std::string& path, const std::string& complaint, Stor
     stored.remarks.push_back("has odd bytes (" + on_one_line(complaint) + ")");
 }
 
-StoredImage read_with_oiio(const std::string& path, const ImageReadOptions& options) {
-    const OpenedImage opened = open_input(path);
+StoredImage read_opened(const std::string& path, const OpenedImage& opened, const ImageReadOptions& options) {
     OIIO::ImageInput& input = *opened.input;
     const OIIO::ImageSpec spec = input.spec();
     check_size(path, spec, options);
@@ -326,17 +346,27 @@ StoredImage read_with_oiio(const std::string& path, const ImageReadOptions& opti
     return stored;
 }
 
-}  // namespace
-
-StoredImage read_stored_image(const std::string& path, const ImageReadOptions& options) {
+/// `open` gives the opened image.
+template <class Open>
+StoredImage read_quietly(const std::string& path, const ImageReadOptions& options, Open open) {
     const QuietLibraries quiet;
     try {
-        return read_with_oiio(path, options);
+        return read_opened(path, open(), options);
     } catch (const UserError&) {
         throw;
     } catch (const std::exception& damage) {  // the library's own, on headers that make no sense
         throw UserError(Place{path}, "is damaged: " + reason_of(damage));
     }
+}
+
+}  // namespace
+
+StoredImage read_stored_image(const std::string& path, const ImageReadOptions& options) {
+    return read_quietly(path, options, [&] { return open_input(path); });
+}
+
+StoredImage read_stored_bytes(const std::string& name, const std::string& bytes, const ImageReadOptions& options) {
+    return read_quietly(name, options, [&] { return open_input_in_memory(name, bytes); });
 }
 
 std::vector<unsigned char> encode_exr(const std::string& path, const InterleavedImage& image) {
@@ -354,6 +384,7 @@ std::vector<unsigned char> encode_exr(const std::string& path, const Interleaved
 /// The only name that the module shows.
 extern "C" __attribute__((visibility("default"))) const kreda::scene::ImageModule* kreda_image_module() {
     static const kreda::scene::ImageModule module{.read_stored_image = kreda::scene::read_stored_image,
+                                                  .read_stored_bytes = kreda::scene::read_stored_bytes,
                                                   .encode_exr = kreda::scene::encode_exr};
     return &module;
 }

@@ -46,6 +46,11 @@ struct StoredImage {
 /// window gives the display window, 0 where there is no data. Throws UserError.
 [[nodiscard]] StoredImage read_stored_image(const std::string& path, const ImageReadOptions& options = {});
 
+/// The same of a PNG, JPEG or WebP file whose bytes are in memory, part of another file. `name` stands for it in
+/// messages.
+[[nodiscard]] StoredImage read_stored_bytes(const std::string& name, const std::string& bytes,
+                                            const ImageReadOptions& options = {});
+
 /// The values alone.
 [[nodiscard]] raster::Image read_image(const std::string& path, const ImageReadOptions& options = {});
 

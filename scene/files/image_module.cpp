@@ -20,10 +20,16 @@ namespace fs = std::filesystem;
 
 constexpr const char* kModuleName = "libkreda_images.so";
 
-std::string first_file(const std::vector<std::string>& places, const std::string& image) {
+/// The first of the files that is there. One without a folder is looked for by the system, along the program's run
+/// path.
+void* open_first(const std::vector<std::string>& places, std::string& file, const std::string& image) {
     std::error_code unreadable;
     for (const std::string& place : places) {
-        if (fs::is_regular_file(place, unreadable)) return place;
+        const bool has_folder = place.find('/') != std::string::npos;
+        if (has_folder && !fs::is_regular_file(place, unreadable)) continue;
+        file = place;
+        void* const library = dlopen(file.c_str(), RTLD_NOW | RTLD_LOCAL);
+        if (library || has_folder) return library;
     }
     throw UserError(Place{image}, std::string("needs ") + kModuleName +
                                       ", which is neither beside the program nor in ../lib/kreda from there; build the "
@@ -96,12 +102,13 @@ std::vector<std::string> image_module_places() {
     std::error_code unknown;
     const fs::path folder = fs::read_symlink("/proc/self/exe", unknown).parent_path();
     if (unknown) return {KREDA_IMAGES_OF_BUILD};
-    return {folder / kModuleName, folder.parent_path() / "lib" / "kreda" / kModuleName, KREDA_IMAGES_OF_BUILD};
+    return {folder / kModuleName, folder.parent_path() / "lib" / "kreda" / kModuleName, kModuleName,
+            KREDA_IMAGES_OF_BUILD};
 }
 
 const ImageModule& open_image_module(const std::vector<std::string>& places, const std::string& image) {
-    const std::string file = first_file(places, image);
-    void* const library = dlopen(file.c_str(), RTLD_NOW | RTLD_LOCAL);
+    std::string file;
+    void* const library = open_first(places, file, image);
     if (!library) {
         throw UserError(Place{image}, "needs OpenImageIO, which cannot be loaded (" + std::string(dlerror()) +
                                           "); install the package " KREDA_IMAGES_PACKAGE);
@@ -121,6 +128,14 @@ StoredImage read_stored_image(const std::string& path, const ImageReadOptions& o
     const ImageModule& module = image_module(path);
     return run_module(path, options,
                       [&](ImageMessage& message) { message.stored = module.read_stored_image(path, options); })
+        .stored;
+}
+
+StoredImage read_stored_bytes(const std::string& name, const std::string& bytes, const ImageReadOptions& options) {
+    if (bytes.empty()) throw UserError(Place{name}, "is empty; an image is needed");
+    const ImageModule& module = image_module(name);
+    return run_module(name, options,
+                      [&](ImageMessage& message) { message.stored = module.read_stored_bytes(name, bytes, options); })
         .stored;
 }
 

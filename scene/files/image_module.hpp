@@ -23,15 +23,19 @@ struct ImageModule {
     std::size_t options_size = sizeof(ImageReadOptions);  ///< as the module was compiled; another program's differ
     std::size_t image_size = sizeof(StoredImage);
     StoredImage (*read_stored_image)(const std::string& path, const ImageReadOptions& options) = nullptr;
+    StoredImage (*read_stored_bytes)(const std::string& name, const std::string& bytes,
+                                     const ImageReadOptions& options) = nullptr;
     std::vector<unsigned char> (*encode_exr)(const std::string& path, const InterleavedImage& image) = nullptr;
 };
 
 /// Where the module may be: beside the running program, in ../lib/kreda from there (so `cmake --install` and the build
-/// leave it), and in the folder of the build, for programs that were copied elsewhere.
+/// leave it), along the program's run path (so find_package(kreda) leaves it: a name without a folder), and in the
+/// folder of the build, for programs that were copied elsewhere.
 [[nodiscard]] std::vector<std::string> image_module_places();
 
-/// Open the first of these files that exists. It stays open to the end of the program. Throws UserError at `image`
-/// when there is none, when it (or OpenImageIO) cannot be loaded, and when it belongs to another build.
+/// Open the first of these files that exists. It stays open to the end of
+/// the program. Throws UserError at `image` when there is none, when it (or OpenImageIO) cannot be loaded, and when it
+/// belongs to another build.
 [[nodiscard]] const ImageModule& open_image_module(const std::vector<std::string>& places, const std::string& image);
 
 /// The bytes of an EXR file, by the module; the same image gives the same bytes. Throws UserError.

@@ -156,7 +156,7 @@ const std::vector<Key<ObjectTable>>& object_keys() {
     static const std::vector<Key<T>> keys = rows_of<T>(
         "object",
         {
-            row<T>("mesh", &T::mesh, "an OBJ file, or a built-in shape", {.example = "\"teapot\""}),
+            row<T>("mesh", &T::mesh, "an OBJ or glTF file, or a built-in shape", {.example = "\"teapot\""}),
             row<T>("detail", &T::detail, "built-in shapes: subdivisions; each shape has its own default",
                    {.range = {1, 4096}, .example = "64"}),
             row<T>("normals", &T::normals, "file: its own (smooth where it has none)",
@@ -165,7 +165,8 @@ const std::vector<Key<ObjectTable>>& object_keys() {
                    "where normals are made: sharper edges stay edges, degrees; without it 60, and a scan's specks are "
                    "smoothed",
                    {.range = {0, 180}, .example = "30"}),
-            row<T>("material", &T::material, "without it, the OBJ's own MTL materials", {.example = "\"gold\""}),
+            row<T>("material", &T::material, "without it, the file's own materials (glTF, or an OBJ's MTL)",
+                   {.example = "\"gold\""}),
             row<T>("translate", placement(&ObjectPlacement::translate), "moved last", {.range = kPlace}),
             row<T>("rotate", placement(&ObjectPlacement::rotate_deg), "degrees about x, then y, then z",
                    {.example = "[0, 45, 0]"}),
@@ -175,7 +176,7 @@ const std::vector<Key<ObjectTable>>& object_keys() {
                            object.placement.scale = glm::dvec3(value.number);
                            if (!value.items.empty()) set_member(value, object.placement.scale);
                        }),
-            own_row<T>("hide", KeyType::texts, "parts (OBJ groups or objects) that are not drawn",
+            own_row<T>("hide", KeyType::texts, "parts (OBJ groups or objects, glTF nodes) that are not drawn",
                        {.example = "[\"lid\"]", .by_default = "[]"}),
             row<T>("casts_shadow", &T::casts_shadow, "whether it throws shadows; it receives them anyway"),
             row<T>("on", &T::on, "whether it is there; if not, its mesh is not even read"),

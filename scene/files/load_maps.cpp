@@ -1,6 +1,7 @@
 #include "scene/files/load_maps.hpp"
 
 #include <algorithm>
+#include <array>
 #include <bit>
 #include <cmath>
 #include <exception>
@@ -137,12 +138,13 @@ bool looks_like_normals(const raster::Image& image) {
     return 10 * blue > 9 * image.plane_size();
 }
 
-/// The file, what it means, and how heights become normals (bump scale, wrap); 0 where they are none.
-using ReadWay = std::tuple<std::string, MapKind, float, int>;
+/// The file or the bytes, what they mean, how heights become normals (bump scale, wrap; 0 where they are none), and
+/// what is made of the values (channel, factor, offset).
+using ReadWay = std::tuple<std::string, const std::string*, MapKind, float, int, int, std::array<float, 4>>;
 
 /// A file that is to be read in one way, and what came of it.
 struct Wanted {
-    std::string path;  ///< as the first map names it
+    lighting::Map map;  ///< as the first material names it
     lighting::MaterialMaps maps;
     bool is_height = false;
     bool with_pyramid = false;  ///< some material needs it
@@ -155,14 +157,34 @@ using WantedFiles = std::map<ReadWay, Wanted>;
 
 ReadWay way_of(const lighting::MaterialMaps& maps, const lighting::MapUse& use) {
     const bool is_height = use.kind == MapKind::normal && maps.normal_from_height;
-    return {canonical_path((maps.*use.map).file), use.kind, is_height ? maps.bump_scale : 0.0f,
-            is_height ? 1 + static_cast<int>(maps.wrap) : 0};
+    const lighting::Map& map = maps.*use.map;
+    return {map.bytes ? map.file : canonical_path(map.file),
+            map.bytes.get(),
+            use.kind,
+            is_height ? maps.bump_scale : 0.0f,
+            is_height ? 1 + static_cast<int>(maps.wrap) : 0,
+            map.channel,
+            {map.factor.x, map.factor.y, map.factor.z, map.offset}};
+}
+
+StoredImage stored_image_of(const lighting::Map& map) {
+    return map.bytes ? read_stored_bytes(map.file, *map.bytes) : read_stored_image(map.file);
+}
+
+/// What the map makes of the picture's values.
+void apply_factor(const lighting::Map& map, raster::Image& image) {
+    if (map.factor == glm::vec3(1.0f) && map.offset == 0.0f) return;
+    for (int c = 0; c < image.channels; ++c) {
+        float* const values = image.plane(c);
+        for (std::size_t i = 0; i < image.plane_size(); ++i) values[i] = map.offset + map.factor[c] * values[i];
+    }
 }
 
 /// What a file says as a map of that kind, and warnings about it.
 raster::Image decoded_map(const std::string& path, const StoredImage& stored, MapKind kind,
-                          std::vector<std::string>& warnings) {
-    const ColorChannels channels = color_channels(stored.channels, stored.alpha);
+                          std::vector<std::string>& warnings, int channel = 0) {
+    ColorChannels channels = color_channels(stored.channels, stored.alpha);
+    if (channel > 0 && channels.count == 3) channels.index[0] = channels.index[static_cast<std::size_t>(channel)];
     Decoder decoder{kind, stored};
     const raster::Image decoded = decode(channels, decoder);
     warn(path, channels, decoder, warnings);
@@ -178,6 +200,14 @@ raster::Image normals_of_bump(const std::string& path, const lighting::MaterialM
         return decoded_map(path, stored, MapKind::normal, warnings);
     }
     return normals_of_heights(decoded_map(path, stored, MapKind::value, warnings), maps.bump_scale, maps.wrap);
+}
+
+std::shared_ptr<const raster::Texture> texture_of(const lighting::Map& map, MapKind kind, bool with_pyramid,
+                                                  std::vector<std::string>& warnings) {
+    const int channel = kind == MapKind::value ? map.channel : 0;
+    raster::Image decoded = decoded_map(map.file, stored_image_of(map), kind, warnings, channel);
+    apply_factor(map, decoded);
+    return std::make_shared<raster::Texture>(raster::make_texture(decoded, with_pyramid));
 }
 
 /// Calls visit(material, use, map) for every map that must come from a file.
@@ -197,28 +227,32 @@ void for_each_wanted(Scene& scene, const std::vector<bool>& materials, Visit vis
 void load(const MapKind kind, Wanted& wanted) {
     try {
         LoadedTexture loaded;
-        wanted.from.push_back(use_file(wanted.path));
+        if (!wanted.map.bytes) wanted.from.push_back(use_file(wanted.map.file));
         if (wanted.is_height) {
-            const raster::Image normals = normals_of_bump(wanted.path, wanted.maps, loaded.warnings);
+            const raster::Image normals = normals_of_bump(wanted.map.file, wanted.maps, loaded.warnings);
             loaded.texture = std::make_shared<raster::Texture>(raster::make_texture(normals, wanted.with_pyramid));
         } else {
-            loaded.texture = load_texture(wanted.path, kind, wanted.with_pyramid, loaded.warnings);
+            loaded.texture = texture_of(wanted.map, kind, wanted.with_pyramid, loaded.warnings);
         }
         wanted.loaded = std::make_shared<const LoadedTexture>(std::move(loaded));
     } catch (...) { wanted.failure = std::current_exception(); }
 }
 
 std::string key_of(const ReadWay& way, const Wanted& wanted) {
-    const auto& [path, kind, scale, wrap] = way;
-    return path + " kind " + std::to_string(static_cast<int>(kind)) + " heights " + std::to_string(wrap) + " " +
-           std::to_string(std::bit_cast<std::uint32_t>(scale)) + (wanted.with_pyramid ? " pyramid" : "");
+    const auto& [path, bytes, kind, scale, wrap, channel, factor] = way;
+    std::string key = path + " kind " + std::to_string(static_cast<int>(kind)) + " heights " + std::to_string(wrap) +
+                      " " + std::to_string(std::bit_cast<std::uint32_t>(scale)) +
+                      (wanted.with_pyramid ? " pyramid" : "") + " channel " + std::to_string(channel);
+    for (const float number : factor) key += " " + std::to_string(std::bit_cast<std::uint32_t>(number));
+    return key;
 }
 
-/// All files that are not kept already, side by side.
+/// All files that are not kept already, side by side. Pictures inside of mesh files are not kept: nothing says whether
+/// they changed.
 void load_wanted(WantedFiles& wanted_files, LoadedFiles* files) {
     std::vector<std::pair<const ReadWay*, Wanted*>> missing;
     for (auto& [way, wanted] : wanted_files) {
-        if (files) wanted.loaded = find_kept(*files, &LoadedFiles::textures, key_of(way, wanted));
+        if (files && !wanted.map.bytes) wanted.loaded = find_kept(*files, &LoadedFiles::textures, key_of(way, wanted));
         if (!wanted.loaded) missing.emplace_back(&way, &wanted);
     }
     const int count = static_cast<int>(missing.size());
@@ -228,7 +262,7 @@ void load_wanted(WantedFiles& wanted_files, LoadedFiles* files) {
         load(std::get<MapKind>(*way), *wanted);
     }
     for (const auto& [way, wanted] : missing) {
-        if (!files) continue;
+        if (!files || wanted->map.bytes) continue;
         if (wanted->loaded) {
             keep(*files, &LoadedFiles::textures, key_of(*way, *wanted), wanted->loaded, wanted->from);
         } else {
@@ -241,8 +275,9 @@ void load_wanted(WantedFiles& wanted_files, LoadedFiles* files) {
 
 std::shared_ptr<const raster::Texture> load_texture(const std::string& path, MapKind kind, bool with_pyramid,
                                                     std::vector<std::string>& warnings) {
-    const raster::Image decoded = decoded_map(path, read_stored_image(path), kind, warnings);
-    return std::make_shared<raster::Texture>(raster::make_texture(decoded, with_pyramid));
+    lighting::Map map;
+    map.file = path;
+    return texture_of(map, kind, with_pyramid, warnings);
 }
 
 void load_maps(Scene& scene, const std::vector<bool>& materials, LoadedFiles* files) {
@@ -251,8 +286,8 @@ void load_maps(Scene& scene, const std::vector<bool>& materials, LoadedFiles* fi
                     [&](const lighting::Material& material, const lighting::MapUse& use, const lighting::Map& map) {
                         Wanted& wanted = wanted_files[way_of(material.maps, use)];
                         wanted.with_pyramid |= material.maps.filter == lighting::TextureFilter::trilinear;
-                        if (!wanted.path.empty()) return;
-                        wanted.path = map.file;
+                        if (!wanted.map.file.empty()) return;
+                        wanted.map = map;
                         wanted.maps = material.maps;
                         wanted.is_height = use.kind == MapKind::normal && material.maps.normal_from_height;
                     });

@@ -1,4 +1,5 @@
-// From an OBJ file to a mesh: read and scan the text, triangulate, find normals, share vertices.
+// From an OBJ file to a mesh (a glTF file goes its own way): read and scan the text, triangulate, find normals, share
+// vertices.
 #include "scene/files/mesh_file.hpp"
 
 #include <algorithm>
@@ -12,6 +13,8 @@
 #include "raster/normals.hpp"
 #include "raster/platform.hpp"
 #include "raster/polygon.hpp"
+#include "scene/files/gltf_file.hpp"
+#include "scene/files/gltf_text.hpp"
 #include "scene/files/mtl_file.hpp"
 #include "scene/files/obj_centre.hpp"
 #include "scene/files/obj_scan.hpp"
@@ -228,6 +231,7 @@ raster::Mesh build_mesh(bool has_smoothing_groups, const MeshFileOptions& option
 LoadedMesh load_mesh_file(const std::string& path, const MeshFileOptions& options) {
     const std::string other = other_format(path);
     if (!other.empty()) throw UserError(Place{path}, other);
+    if (is_gltf_name(path)) return load_gltf_file(path, options);
     const ObjText text = read_obj_text(path);
     ObjScan scan = scan_obj(text);
     LoadedMesh loaded;

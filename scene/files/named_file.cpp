@@ -78,7 +78,7 @@ NamedPath find_path(const ObjText& text, std::size_t offset, const std::string& 
     }
     if (!is_there(path)) return {};
     throw UserError(place_at(text, offset), path_in_quotes(named) +
-                                                " is outside the folder of the OBJ file; move it "
+                                                " is outside the folder of the mesh file; move it "
                                                 "there, or allow it with --allow-outside");
 }
 

@@ -18,6 +18,10 @@ struct Extent {
     double radius = 0.0;
 };
 
+Extent extent_of_box(const glm::dvec3& least, const glm::dvec3& greatest) {
+    return {0.5 * least + 0.5 * greatest, glm::length(0.5 * greatest - 0.5 * least)};
+}
+
 template <class Position>
 Extent extent_of(const std::vector<Position>& positions, const std::vector<ObjCorner>& corners) {
     if (corners.empty()) return {};
@@ -27,7 +31,7 @@ Extent extent_of(const std::vector<Position>& positions, const std::vector<ObjCo
         least = glm::min(least, p);
         greatest = glm::max(greatest, p);
     }
-    return {0.5 * least + 0.5 * greatest, glm::length(0.5 * greatest - 0.5 * least)};
+    return extent_of_box(least, greatest);
 }
 
 bool is_far(const Extent& extent) {
@@ -44,7 +48,22 @@ double power_of_two(double x) {
     return std::exp2(std::floor(std::log2(x)));
 }
 
+MeshFrame frame_of(const Extent& extent) {
+    MeshFrame frame;
+    if (!(extent.radius > 0.0)) return frame;
+    if (!is_ordinary_size(extent)) frame.unit = power_of_two(extent.radius);
+    if (is_far(extent)) {
+        const double step = power_of_two(extent.radius) / 256.0;  // a round number reads better
+        frame.origin = glm::round(extent.middle / step) * step;
+    }
+    return frame;
+}
+
 }  // namespace
+
+MeshFrame frame_of_box(const glm::dvec3& least, const glm::dvec3& greatest) {
+    return frame_of(extent_of_box(least, greatest));
+}
 
 MeshFrame keep_about_centre(const ObjScan& scan, std::vector<glm::vec3>& positions) {
     positions.assign(scan.positions.begin(), scan.positions.end());
@@ -52,12 +71,7 @@ MeshFrame keep_about_centre(const ObjScan& scan, std::vector<glm::vec3>& positio
     if (!is_far(rough) && is_ordinary_size(rough)) return {};
     const Extent extent = extent_of(scan.positions, scan.corners);
     if (!(extent.radius > 0.0)) return {};
-    MeshFrame frame;
-    if (!is_ordinary_size(extent)) frame.unit = power_of_two(extent.radius);
-    if (is_far(extent)) {
-        const double step = power_of_two(extent.radius) / 256.0;  // a round number reads better
-        frame.origin = glm::round(extent.middle / step) * step;
-    }
+    const MeshFrame frame = frame_of(extent);
     for (std::size_t i = 0; i < positions.size(); ++i) {
         positions[i] = glm::vec3((scan.positions[i] - frame.origin) / frame.unit);
     }

@@ -21,6 +21,9 @@ constexpr double kFarFromZero = 16.0;
 /// Meshes of a radius between 1 / this and this keep the unit 1.
 constexpr double kOrdinaryRadius = 1048576.0;
 
+/// The frame in which a mesh of that box is kept: its own where it is far from 0 for its size, tiny or huge.
+[[nodiscard]] MeshFrame frame_of_box(const glm::dvec3& least, const glm::dvec3& greatest);
+
 /// The scan's positions as floats. Where those of the faces are far from 0 for their size, tiny or huge: about their
 /// middle, in a unit of about their radius.
 MeshFrame keep_about_centre(const ObjScan& scan, std::vector<glm::vec3>& positions);

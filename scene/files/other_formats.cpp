@@ -17,10 +17,8 @@ struct Format {
 };
 
 /// All of them can be opened by Blender; those of assimp's `assimp export` are marked below.
-constexpr std::array<Format, 19> kMeshes = {{{".ply", "a PLY mesh"},
+constexpr std::array<Format, 17> kMeshes = {{{".ply", "a PLY mesh"},
                                              {".stl", "an STL mesh"},
-                                             {".glb", "a glTF scene"},
-                                             {".gltf", "a glTF scene"},
                                              {".fbx", "an FBX scene"},
                                              {".dae", "a COLLADA scene"},
                                              {".3ds", "a 3D Studio scene"},
@@ -42,8 +40,8 @@ constexpr std::array<std::string_view, 10> kImages = {".png", ".jpg", ".jpeg", "
 constexpr std::array<std::string_view, 8> kArchives = {".zip", ".gz", ".7z", ".rar", ".tar", ".xz", ".bz2", ".zst"};
 
 bool assimp_reads(std::string_view extension) {
-    constexpr std::array<std::string_view, 12> kRead = {".ply", ".stl", ".glb", ".gltf", ".fbx", ".dae",
-                                                        ".3ds", ".off", ".x3d", ".wrl",  ".3mf", ".lwo"};
+    constexpr std::array<std::string_view, 10> kRead = {".ply", ".stl", ".fbx", ".dae", ".3ds",
+                                                        ".off", ".x3d", ".wrl", ".3mf", ".lwo"};
     return std::find(kRead.begin(), kRead.end(), extension) != kRead.end();
 }
 
@@ -55,15 +53,16 @@ std::string other_format(const std::string& path) {
     const auto is_one_of = [&](const auto& list) {
         return std::find(list.begin(), list.end(), extension) != list.end();
     };
-    if (is_one_of(kImages)) return "is an image; Kreda draws scenes (TOML) and meshes (OBJ), images are their maps";
-    if (is_one_of(kArchives)) return "is an archive; unpack it first, Kreda reads meshes as OBJ";
+    if (is_one_of(kImages))
+        return "is an image; Kreda draws scenes (TOML) and meshes (OBJ, glTF), images are their maps";
+    if (is_one_of(kArchives)) return "is an archive; unpack it first, Kreda reads meshes as OBJ or glTF";
     if (extension == ".mtl") return "holds the materials of an OBJ file; give the OBJ file itself";
     const auto mesh =
         std::find_if(kMeshes.begin(), kMeshes.end(), [&](const Format& f) { return f.extension == extension; });
     if (mesh == kMeshes.end()) return "";
     const std::string obj = file.stem().string() + ".obj";
     return "is " + std::string(mesh->name) +
-           "; Kreda reads meshes as OBJ: export one with Blender (File, Export, Wavefront)" +
+           "; Kreda reads meshes as OBJ or glTF: export one with Blender (File, Export)" +
            (assimp_reads(extension) ? " or with `assimp export " + file.filename().string() + " " + obj + "`" : "");
 }
 

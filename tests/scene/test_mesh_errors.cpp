@@ -89,7 +89,7 @@ TEST_CASE("mesh errors: paths in a file stay in its folder unless that is allowe
         CAPTURE(name);
         const std::string obj = folder.write("in/a.obj", "# c\nmtllib " + name + "\n" + face);
         CHECK(has(error_of_file(obj), "a.obj:2:1: '"));
-        CHECK(has(error_of_file(obj), "outside the folder of the OBJ file"));
+        CHECK(has(error_of_file(obj), "outside the folder of the mesh file"));
         if (name != "/dev/zero") CHECK(error_of_file(folder.write("in/x/b.obj", face), true) == "no error");
     }
     const std::string obj = folder.write("in/a.obj", "mtllib a.mtl\n" + face);

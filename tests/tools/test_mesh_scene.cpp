@@ -20,6 +20,8 @@ using namespace kreda::tests;
 TEST_CASE("A mesh file is known by its ending whatever the case") {
     CHECK(tools::is_mesh_file("a/bunny.obj"));
     CHECK(tools::is_mesh_file("BUNNY.OBJ"));
+    CHECK(tools::is_mesh_file("a/lamp.glb"));
+    CHECK(tools::is_mesh_file("lamp.GLTF"));
     CHECK_FALSE(tools::is_mesh_file("bunny.toml"));
     CHECK_FALSE(tools::is_mesh_file("obj"));
 }

@@ -47,7 +47,7 @@ SceneSource source_of(const CommandOptions& options, scene::LoadedFiles& files) 
     if (options.file.empty()) return {scene::built_in_scene_text(), "built-in scene", "", read};
     if (is_mesh_file(options.file)) {
         const auto loaded = load_mesh(&files, options.file, {});
-        return {scene_around_mesh(options.file, loaded->mesh), "scene around " + options.file, "", read};
+        return {scene_around_mesh(options.file, *loaded), "scene around " + options.file, "", read};
     }
     return {text_of_file(options.file, read), options.file, fs::path(options.file).parent_path().string(), read};
 }
@@ -190,7 +190,8 @@ void add_tune_command(CLI::App& app) {
     CLI::App* command =
         app.add_subcommand("tune", "Find the cheapest settings of a scene within an error, and verify them");
     const auto options = std::make_shared<CommandOptions>();
-    command->add_option("scene", options->file, "The scene file (TOML) or mesh (OBJ); without it, a built-in teapot")
+    command
+        ->add_option("scene", options->file, "The scene file (TOML) or mesh (OBJ, glTF); without it, a built-in teapot")
         ->type_name("SCENE.toml|MESH.obj");
     command->add_option("--max-error", options->max_error, "The most that the picture may err, in codes of 8 bits")
         ->type_name("CODES")
