@@ -21,5 +21,6 @@ void add_gallery_command(CLI::App& app);
 void add_bench_command(CLI::App& app);
 void add_measure_command(CLI::App& app);
 void add_tune_command(CLI::App& app);
+void add_view_command(CLI::App& app);
 
 }  // namespace kreda::tools

@@ -163,7 +163,8 @@ void scan_corner(ObjScanner& s, std::string_view token) {
         if (result.ec == std::errc::result_out_of_range) {
             index = *p == '-' ? std::numeric_limits<std::int64_t>::min() : std::numeric_limits<std::int64_t>::max();
         }
-        if (keeps_index(s, kind, index, token)) kept[static_cast<std::size_t>(kind)] = {p, result.ptr};
+        const std::string_view digits(p, static_cast<std::size_t>(result.ptr - p));
+        if (keeps_index(s, kind, index, token)) kept[static_cast<std::size_t>(kind)] = digits;
         p = result.ptr;
     }
     if (p != end) s.cursor.fail(token, kExpected);
