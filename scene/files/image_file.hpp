@@ -3,7 +3,6 @@
 #pragma once
 
 #include <algorithm>
-#include <cmath>
 #include <cstdint>
 #include <string>
 #include <vector>
@@ -54,7 +53,9 @@ struct StoredImage {
 /// The byte that a PNG holds for an encoded value: round(255 c), c clamped to 0..1, NaN to 0.
 [[nodiscard]] inline std::uint8_t byte_from_encoded(float encoded) {
     if (!(encoded > 0.0f)) return 0;  // true for NaN as well
-    return static_cast<std::uint8_t>(std::lround(255.0f * std::min(encoded, 1.0f)));
+    const float scaled = 255.0f * std::min(encoded, 1.0f);
+    const int whole = static_cast<int>(scaled);
+    return static_cast<std::uint8_t>(whole + (scaled - static_cast<float>(whole) >= 0.5f ? 1 : 0));
 }
 
 /// The bytes of the file that write_png writes; `path` is named in errors.

@@ -20,8 +20,10 @@ target_include_directories(glm_headers SYSTEM INTERFACE ${web_headers})
 target_compile_options(kreda_flags INTERFACE -msimd128 -fwasm-exceptions -Wno-unknown-pragmas -Wno-unused-variable
   "SHELL:-include ${PROJECT_SOURCE_DIR}/tools/view/web_std.hpp")
 target_compile_definitions(kreda_flags INTERFACE TOML_HEADER_ONLY=1 TOML_ENABLE_FORMATTERS=0)
-target_link_options(kreda_flags INTERFACE -fwasm-exceptions -sALLOW_MEMORY_GROWTH=1 -sMAXIMUM_MEMORY=2GB
-  -sSTACK_SIZE=1MB)
+target_link_options(kreda_flags INTERFACE -fwasm-exceptions -sALLOW_MEMORY_GROWTH=1 -sMAXIMUM_MEMORY=2GB)
+
+# emcc's own scripts look for Debian's packages, which another node than Debian's does not find.
+set_property(GLOBAL PROPERTY RULE_LAUNCH_LINK "${CMAKE_COMMAND} -E env NODE_PATH=/usr/share/nodejs")
 
 kreda_room(raster PUBLIC glm_headers)
 kreda_room(lighting PUBLIC kreda_raster)

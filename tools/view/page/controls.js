@@ -88,6 +88,7 @@ export function written(value) {
 }
 
 function row(key, given, path, tell) {
+  if (key.key === 'name') return null; // other tables say it
   const value = given ?? key.default ?? something(key);
   const field = fieldFor(key, value, path, (next) => { line.classList.add('set'); tell(`${path}=${written(next)}`, path); });
   if (!field) return null;

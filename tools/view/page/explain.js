@@ -21,8 +21,9 @@ export function drawVectors(svg, vectors, width, height) {
     const line = { x1: from[0], y1: from[1], x2: to[0], y2: to[1] };
     return [
       shape('line', { ...line, stroke: '#fffc', 'stroke-width': 4 * unit }),
-      shape('line', { ...line, stroke: COLORS[name], 'stroke-width': 2 * unit, 'marker-end': 'url(#tip)' }),
-      shape('text', { x: to[0] + 5 * unit, y: to[1], fill: COLORS[name], 'font-size': 15 * unit }, letter),
+      shape('line', { ...line, stroke: COLORS[name], 'stroke-width': 2 * unit }),
+      shape('circle', { cx: to[0], cy: to[1], r: 3 * unit, fill: COLORS[name] }),
+      shape('text', { x: to[0] + 5 * unit, y: to[1], fill: COLORS[name], 'font-size': 15 * unit, 'stroke-width': 3 * unit }, letter),
     ];
   });
   svg.replaceChildren(...shapes);

@@ -27,9 +27,9 @@ const mark = { x: 0, y: 0, shown: false };
 function showViews() {
   const chosen = $('view').value;
   const options = page.scene.views.map(({ name, meaning, requires }) => {
-    const option = new Option(requires ? `${name} (needs ${requires})` : name, name);
+    const option = new Option(name, name);
     option.disabled = Boolean(requires);
-    option.title = meaning;
+    option.title = requires ? `${meaning}; it needs ${requires}` : meaning;
     return option;
   });
   $('view').replaceChildren(new Option('the picture', ''), ...options);
