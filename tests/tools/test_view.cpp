@@ -181,7 +181,8 @@ TEST_CASE("nothing in a scene ends the script that holds it") {
     const TempFolder folder;
     folder.write("a.toml", kScene);
     const CarriedScene scene{"</script><b>.toml", "", {{"</script>", folder.file("a.toml")}}};
-    const std::string page = page_with_scene("<script>/*SCENE*/</script>", scene, {"material.</script>.shininess=1"});
+    const std::string page =
+        page_with_scene("<script>/*SCENE*/</script>", scene, {{"material.</script>.shininess=1"}, {"</script>"}});
     CHECK(page.find("</script") == page.rfind("</script"));
     CHECK(page.find("/*SCENE*/") == std::string::npos);
 }

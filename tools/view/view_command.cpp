@@ -20,7 +20,8 @@ namespace fs = std::filesystem;
 
 struct ViewOptions {
     SceneOptions scene;
-    std::string output;  ///< empty: the scene's name and .html, in the current folder
+    std::string output;                 ///< empty: the scene's name and .html, in the current folder
+    std::vector<std::string> controls;  ///< that stand first
 };
 
 std::string output_path(const ViewOptions& options) {
@@ -56,7 +57,7 @@ void view_command(const ViewOptions& options) {
     const std::string page = read_view_page(view_page_places());
     const scene::Scene scene = load_scene(options.scene);
     const CarriedScene carried = files_of_scene(scene, options.scene.file);
-    const std::string text = page_with_scene(page, carried, changes(options, scene));
+    const std::string text = page_with_scene(page, carried, {changes(options, scene), options.controls});
     write_file(path, text);
     std::cerr << "wrote " << path << " (" << text.size() / 1000 << " kB, " << carried.files.size()
               << (carried.files.size() == 1 ? " file" : " files") << " in it)\n";
@@ -81,6 +82,13 @@ void add_view_command(CLI::App& app) {
     add_scene_options(*command, options->scene);
     command->add_option("-o,--output", options->output, "The page; by default SCENE.html in this folder")
         ->type_name("FILE");
+    command
+        ->add_option("--control", options->controls,
+                     "A key whose control stands first, the others folded: fog.density, material.0.roughness; as often "
+                     "as you like")
+        ->type_name("KEY")
+        ->expected(1)
+        ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);
     command->footer(kViewExamples);
     command->callback([options] { view_command(*options); });
 }

@@ -45,11 +45,12 @@ std::string read_view_page(const std::vector<std::string>& places) {
         "libstb-dev)");
 }
 
-std::string page_with_scene(std::string page, const CarriedScene& scene, const std::vector<std::string>& overrides) {
+std::string page_with_scene(std::string page, const CarriedScene& scene, const PageStart& start) {
     nlohmann::ordered_json json;
     json["path"] = scene.path;
     json["folder"] = scene.folder;
-    json["overrides"] = overrides;
+    json["overrides"] = start.overrides;
+    json["controls"] = start.controls;
     json["files"] = nlohmann::ordered_json::object();
     for (const CarriedFile& file : scene.files) json["files"][file.name] = in_base64(bytes_of_file(file.path));
     const std::string text = without_tags(json.dump(-1, ' ', false, nlohmann::ordered_json::error_handler_t::replace));

@@ -15,8 +15,13 @@ namespace kreda::tools {
 /// The first of these that is there. Throws UserError, which says what to install and build.
 [[nodiscard]] std::string read_view_page(const std::vector<std::string>& places);
 
-/// The page with this scene and its files in it, to be changed by `overrides` ("--set") at the start.
-[[nodiscard]] std::string page_with_scene(std::string page, const CarriedScene& scene,
-                                          const std::vector<std::string>& overrides);
+/// How the page begins.
+struct PageStart {
+    std::vector<std::string> overrides;  ///< "--set"
+    std::vector<std::string> controls;   ///< keys that stand first: "fog.density", "material.0.roughness"
+};
+
+/// The page with this scene and its files in it.
+[[nodiscard]] std::string page_with_scene(std::string page, const CarriedScene& scene, const PageStart& start);
 
 }  // namespace kreda::tools

@@ -101,6 +101,16 @@ function row(key, given, path, tell) {
   return line;
 }
 
+/** The row of "fog.density" or "material.0.roughness", named by its whole path. */
+function firstRow(keys, tables, path, tell) {
+  const [table, ...rest] = path.split('.');
+  const key = keys.find((k) => k.table === table && k.key === rest[rest.length - 1]);
+  const given = rest.length > 1 ? tables[table]?.[Number(rest[0])] : tables[table];
+  const made = key && row(key, given?.[key.key], path, tell);
+  if (made) made.querySelector('.name').textContent = path;
+  return made;
+}
+
 function group(title, keys, given, path, tell) {
   const rows = keys.map((key) => row(key, given[key.key], `${path}.${key.key}`, tell)).filter(Boolean);
   const summary = element('summary', { textContent: title });
@@ -114,9 +124,9 @@ function titleOf(table, item, i) {
 
 /**
  * Fill `parent` anew. `keys`: the table; `tables`: the scene file as it was read; `tell(change, path)` hears every change.
- * What was open stays open.
+ * What was open stays open. `first`: paths of keys that get a group of their own on top.
  */
-export function makeControls(parent, keys, tables, tell) {
+export function makeControls(parent, keys, tables, tell, first = []) {
   const before = new Map([...parent.querySelectorAll('details')].map((d) => [d.dataset.path, d.open]));
   const names = [...new Set(keys.map((key) => key.table))];
   names.sort((a, b) => (FIRST.indexOf(a) + 1 || 99) - (FIRST.indexOf(b) + 1 || 99));
@@ -128,9 +138,11 @@ export function makeControls(parent, keys, tables, tell) {
       const path = own[0].repeated ? `${table}.${i}` : table;
       const made = group(own[0].repeated ? titleOf(table, item, i) : table, own, item, path, tell);
       made.dataset.path = path;
-      made.open = before.get(path) ?? (OPEN.has(table) && i === 0);
+      made.open = before.get(path) ?? (first.length === 0 && OPEN.has(table) && i === 0);
       groups.push(made);
     });
   }
+  const chosen = first.map((path) => firstRow(keys, tables, path, tell)).filter(Boolean);
+  if (chosen.length) groups.unshift(element('div', { className: 'first' }, ...chosen));
   parent.replaceChildren(...groups);
 }

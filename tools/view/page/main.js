@@ -57,7 +57,7 @@ async function open(path, changes) {
 }
 
 function showControls() {
-  makeControls($('controls'), page.keys, page.scene.tables, change);
+  makeControls($('controls'), page.keys, page.scene.tables, change, page.first);
   $('title').textContent = page.path || 'Kreda, the built-in scene';
   page.list = $('controls').querySelector('[data-path="material.0.model"] select') ?? $('view');
 }
@@ -262,6 +262,7 @@ const step = listen(canvas, hand, { changed: touched, clicked, key });
 wire();
 const given = await givenScene();
 Object.assign(engine, { files: given.files, folder: given.folder });
+page.first = given.controls ?? [];
 page.keys = await engine.start().then((keys) => keys, (error) => { say(error.message); return []; });
 await openNew(given.path, new Map(given.overrides.map((text) => [text.split('=')[0].trim(), text])));
 if (!page.scene) await openNew('');
