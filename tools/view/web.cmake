@@ -32,8 +32,17 @@ kreda_room(scene PUBLIC kreda_lighting kreda_shadows)
 get_target_property(scene_sources kreda_scene SOURCES)
 list(FILTER scene_sources EXCLUDE REGEX
   "/(image_file|image_module|image_message|child_process|png_bytes|write_image|webp_file|environment_cache|whole_file)\\.cpp$")
+# Reading takes no time worth its bytes: what is no pass is compiled for size.
+set(file_sources ${scene_sources})
+list(FILTER scene_sources INCLUDE REGEX "/scene/(render|plan)/")
+list(FILTER file_sources EXCLUDE REGEX "/scene/(render|plan)/")
 set_target_properties(kreda_scene PROPERTIES SOURCES "${scene_sources}")
-target_sources(kreda_scene PRIVATE ${PROJECT_SOURCE_DIR}/tools/view/web_images.cpp ${PROJECT_SOURCE_DIR}/tools/view/web_libraries.cpp)
+add_library(kreda_files STATIC ${file_sources} ${PROJECT_SOURCE_DIR}/tools/view/web_images.cpp
+  ${PROJECT_SOURCE_DIR}/tools/view/web_libraries.cpp)
+target_compile_options(kreda_files PRIVATE -Os)
+target_link_libraries(kreda_files PUBLIC kreda_lighting kreda_shadows)
+target_link_libraries(kreda_scene PUBLIC kreda_files)
+target_link_libraries(kreda_files PUBLIC kreda_scene)  # each calls the other
 
 file(GLOB explain_sources ${PROJECT_SOURCE_DIR}/tools/explain/*.cpp)
 list(FILTER explain_sources EXCLUDE REGEX "_command\\.cpp$")
@@ -44,7 +53,7 @@ add_executable(kreda_web ${explain_sources} ${PROJECT_SOURCE_DIR}/tools/view/web
   ${PROJECT_SOURCE_DIR}/tools/keys_json.cpp ${PROJECT_SOURCE_DIR}/tools/mesh_scene.cpp)
 target_link_libraries(kreda_web PRIVATE kreda_scene)
 set_target_properties(kreda_web PROPERTIES UNITY_BUILD OFF)
-target_compile_options(kreda_web PRIVATE -O1)  # text takes no time to run
+target_compile_options(kreda_web PRIVATE -Os)
 set_source_files_properties(${PROJECT_SOURCE_DIR}/tools/view/viewer.cpp PROPERTIES COMPILE_OPTIONS -O3)
 target_link_options(kreda_web PRIVATE --no-entry -sMODULARIZE=1 -sEXPORT_NAME=makeKreda -sEXPORTED_RUNTIME_METHODS=ccall,FS
   -sEXPORTED_FUNCTIONS=_malloc,_free -sENVIRONMENT=web,worker,node -sFILESYSTEM=1)

@@ -36,9 +36,10 @@ export class CameraHand {
     this.reach = length(add(this.target, this.position, -1)); // the unit of all ways
   }
 
-  /** Nine numbers for the module; null while the file's own pose holds. */
+  /** Nine numbers for the module; those of the file to the last bit while nothing was moved. */
   pose() {
-    return this.moved ? [...this.position, ...this.target, ...this.up] : null;
+    const { position, target, up } = this.moved ? this : this.home;
+    return [...position, ...target, ...up];
   }
 
   /** Turn by these angles in radians: round the target, or in flight the way that one looks. */

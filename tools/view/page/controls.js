@@ -14,7 +14,7 @@ function element(tag, properties = {}, ...children) {
 
 /** Ends of a slider: those of the key where they are near, else some times what stands there. */
 export function sliderRange(key, value) {
-  const size = 4 * Math.max(Math.abs(value), Math.abs(typeof key.default === 'number' ? key.default : 0), 0.5);
+  const size = 4 * (Math.max(Math.abs(value), Math.abs(typeof key.default === 'number' ? key.default : 0)) || 0.5);
   const least = key.least > -WIDEST ? key.least : -size;
   const greatest = key.greatest < WIDEST ? key.greatest : size;
   return { least, greatest: Math.max(greatest, value), step: key.type.startsWith('whole') ? 1 : (greatest - least) / 1000 };

@@ -258,6 +258,7 @@ const engine = new Engine(source('worker'), source('glue'), await unpack(source(
   await openNew(page.path, page.changes);
   say(line);
 });
+globalThis.kreda = { engine, page, hand }; // for whoever looks with the browser's tools
 const step = listen(canvas, hand, { changed: touched, clicked, key });
 wire();
 const given = await givenScene();

@@ -33,10 +33,10 @@ const work = {
   text: (overrides) => ask('text', JSON.stringify(overrides)),
   explain: (x, y) => ask('explain', x, y),
   hash: () => ask('hash'),
-  /** `pose`: nine numbers, or null for the camera of the scene file. */
+  /** `pose`: nine numbers, position, target and up. */
   draw(pose, width, height, samples, view) {
     const begin = performance.now();
-    if (pose) kreda.ccall('kreda_camera', null, pose.map(() => 'number'), pose);
+    kreda.ccall('kreda_camera', null, pose.map(() => 'number'), pose);
     const answer = ask('draw', width, height, samples, view);
     if (answer.error) return answer;
     const bytes = kreda.HEAPU8.slice(answer.pixels, answer.pixels + 4 * answer.width * answer.height);
