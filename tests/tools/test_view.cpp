@@ -6,6 +6,7 @@
 #include <glm/geometric.hpp>
 #include <nlohmann/json.hpp>
 
+#include "scene/files/image_file.hpp"
 #include "scene/files/overrides.hpp"
 #include "scene/files/read_scene.hpp"
 #include "scene/files/scene_keys.hpp"
@@ -73,13 +74,33 @@ TEST_CASE("the viewer draws the film of kreda render, after its size and camera 
     CHECK(viewer.buffers.film.values == render(scene::read_scene(folder.file("a.toml"), without)).values);
 }
 
+TEST_CASE("the screen shows the bytes of the PNG, whatever the exposure and the transfer function are") {
+    const TempFolder folder;
+    folder.write("a.toml", kScene);
+    Viewer viewer;
+    for (const char* change : {"image.exposure=3", "image.tone_map=reinhard", "image.transfer=linear"}) {
+        open_scene(viewer, folder.file("a.toml"), {change});
+        draw(viewer);
+        const raster::Image encoded = develop(viewer.buffers.film, film_settings(viewer.scene.image));
+        std::size_t differ = 0;
+        for (std::size_t i = 0; i < encoded.plane_size(); ++i) {
+            for (std::size_t c = 0; c < 3; ++c) {
+                differ +=
+                    viewer.picture.rgba[4 * i + c] != scene::byte_from_encoded(encoded.plane(static_cast<int>(c))[i]);
+            }
+        }
+        CHECK(differ == 0);
+    }
+}
+
 TEST_CASE("the screen shows opaque pixels of the picture, and of every view that the scene can show") {
     const TempFolder folder;
     folder.write("a.toml", kScene);
     Viewer viewer;
     open_scene(viewer, folder.file("a.toml"), {"light.0.shadow=true", "shadow.size=32"});
     int shown = 0;
-    for (const auto& view : describe(viewer)["views"]) {
+    const auto described = describe(viewer);
+    for (const auto& view : described["views"]) {
         const std::string name = view["name"];
         CAPTURE(name);
         choose_view(viewer, name);

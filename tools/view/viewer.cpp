@@ -1,5 +1,6 @@
 #include "tools/view/viewer.hpp"
 
+#include <bit>
 #include <filesystem>
 #include <fstream>
 #include <sstream>
@@ -99,10 +100,46 @@ Json views_of(const Viewer& viewer) {
     return views;
 }
 
-/// What the display shows of the film or of the chosen view, 1 or 3 channels.
-raster::Image encoded_picture(const Viewer& viewer) {
+std::uint8_t byte_of(float radiance, const raster::FilmSettings& settings) {
+    return scene::byte_from_encoded(raster::display_value(radiance, settings));
+}
+
+bool same(const raster::FilmSettings& a, const raster::FilmSettings& b) {
+    return a.exposure == b.exposure && a.tone_map == b.tone_map && a.white == b.white && a.transfer == b.transfer &&
+           a.gamma == b.gamma;
+}
+
+/// What is shown rises with radiance: where the least and the greatest float that begin with 16 bits give one byte, all
+/// between give it.
+void prepare_display(const raster::FilmSettings& settings, DisplayBytes& display) {
+    if (!display.byte_of.empty() && same(settings, display.settings)) return;
+    display.settings = settings;
+    display.byte_of.resize(1u << 16);
+    for (std::uint32_t high = 0; high < display.byte_of.size(); ++high) {
+        const std::uint8_t least = byte_of(std::bit_cast<float>(high << 16), settings);
+        const std::uint8_t greatest = byte_of(std::bit_cast<float>(high << 16 | 0xffffu), settings);
+        display.byte_of[high] = least == greatest ? least : std::int16_t{-1};
+    }
+}
+
+void put_film_on_screen(const raster::Image& film, const DisplayBytes& display, ScreenPicture& picture) {
+    picture.width = film.width;
+    picture.height = film.height;
+    const std::size_t count = film.plane_size();
+    picture.rgba.assign(4 * count, 255);
+    for (std::size_t c = 0; c < 3; ++c) {
+        const float* const plane = film.plane(static_cast<int>(c));
+        for (std::size_t i = 0; i < count; ++i) {
+            const std::int16_t known = display.byte_of[std::bit_cast<std::uint32_t>(plane[i]) >> 16];
+            picture.rgba[4 * i + c] =
+                known >= 0 ? static_cast<std::uint8_t>(known) : byte_of(plane[i], display.settings);
+        }
+    }
+}
+
+/// What the display shows of the chosen view, 1 or 3 channels.
+raster::Image encoded_view(const Viewer& viewer) {
     const scene::RenderBuffers& buffers = viewer.buffers;
-    if (!viewer.view) return develop(buffers.film, film_settings(viewer.scene.image));
     if (is_light_depth(viewer.view)) return picture_of(*viewer.view, light_depth(buffers), viewer.scene).encoded;
     return picture_of(*viewer.view, buffers.views[0], viewer.scene).encoded;
 }
@@ -187,7 +224,12 @@ double draw(Viewer& viewer) {
         viewer.is_planned = true;
     }
     const scene::RenderStatistics statistics = render(viewer.scene, viewer.plan, viewer.buffers, 1);
-    put_on_screen(encoded_picture(viewer), viewer.picture);
+    if (viewer.view) {
+        put_on_screen(encoded_view(viewer), viewer.picture);
+    } else {
+        prepare_display(film_settings(viewer.scene.image), viewer.display);
+        put_film_on_screen(viewer.buffers.film, viewer.display, viewer.picture);
+    }
     return statistics.times.total_ms;
 }
 

@@ -7,6 +7,7 @@
 
 #include <nlohmann/json_fwd.hpp>
 
+#include "raster/film.hpp"
 #include "scene/files/toml_tree.hpp"
 #include "scene/render/render.hpp"
 
@@ -19,6 +20,13 @@ struct ScreenPicture {
     std::vector<std::uint8_t> rgba;
 };
 
+/// The byte that a display shows of a radiance, looked up by the radiance's upper 16 bits: developing a film value by
+/// value takes longer than drawing it.
+struct DisplayBytes {
+    raster::FilmSettings settings;
+    std::vector<std::int16_t> byte_of;  ///< -1: these bits do not decide it; empty: not made yet
+};
+
 /// All that lives from frame to frame.
 struct Viewer {
     std::string path;   ///< of the scene or the mesh
@@ -29,6 +37,7 @@ struct Viewer {
     scene::RenderPlan plan;
     bool is_planned = false;
     scene::RenderBuffers buffers;
+    DisplayBytes display;
     ScreenPicture picture;
 };
 

@@ -56,7 +56,7 @@ set_target_properties(kreda_web PROPERTIES UNITY_BUILD OFF)
 target_compile_options(kreda_web PRIVATE -Os)
 set_source_files_properties(${PROJECT_SOURCE_DIR}/tools/view/viewer.cpp PROPERTIES COMPILE_OPTIONS -O3)
 target_link_options(kreda_web PRIVATE --no-entry -sMODULARIZE=1 -sEXPORT_NAME=makeKreda -sEXPORTED_RUNTIME_METHODS=ccall,FS
-  -sEXPORTED_FUNCTIONS=_malloc,_free -sENVIRONMENT=web,worker,node -sFILESYSTEM=1)
+  -sEXPORTED_FUNCTIONS=_malloc,_free -sENVIRONMENT=web,worker,node -sFILESYSTEM=1 -O2)  # the linker's own -O3 takes minutes and gives nothing
 
 set(view_page ${CMAKE_BINARY_DIR}/share/kreda/view.html)
 file(MAKE_DIRECTORY ${CMAKE_BINARY_DIR}/share/kreda)
@@ -70,7 +70,7 @@ add_custom_target(view_page ALL DEPENDS ${view_page})
 # Programs for node, not built unless a test asks: `node hash_scenes.js`, and with files of the disk hash_scene_files.js.
 add_executable(hash_scenes EXCLUDE_FROM_ALL ${PROJECT_SOURCE_DIR}/tests/variants/hash_scenes.cpp)
 add_executable(hash_scene_files EXCLUDE_FROM_ALL ${PROJECT_SOURCE_DIR}/tests/view/hash_scene_files.cpp)
-target_link_options(hash_scenes PRIVATE -sENVIRONMENT=node -sSINGLE_FILE=1)
-target_link_options(hash_scene_files PRIVATE -sENVIRONMENT=node -sSINGLE_FILE=1 -sNODERAWFS=1)
+target_link_options(hash_scenes PRIVATE -O1 -sENVIRONMENT=node -sSINGLE_FILE=1)
+target_link_options(hash_scene_files PRIVATE -O1 -sENVIRONMENT=node -sSINGLE_FILE=1 -sNODERAWFS=1)
 target_link_libraries(hash_scenes PRIVATE kreda_scene)
 target_link_libraries(hash_scene_files PRIVATE kreda_scene)
