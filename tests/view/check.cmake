@@ -59,7 +59,7 @@ else()
     examples/assignments/A5_fog/scenes/exp2.toml examples/assignments/A7_shadow_map/scenes/soft.toml)
   if(TASK STREQUAL "all_files")
     file(GLOB files RELATIVE ${SOURCE} ${SOURCE}/examples/*/*.toml ${SOURCE}/examples/assignments/*/scenes/*.toml
-      ${SOURCE}/docs/images/*.toml ${SOURCE}/docs/images/*/*.toml ${SOURCE}/tests/debugger/*.toml ${SOURCE}/tests/grading/unseen/*.toml)
+      ${SOURCE}/docs/images/*.toml ${SOURCE}/docs/images/*/*.toml ${SOURCE}/tests/debugger/*.toml)
   endif()
   run(expected ${PROGRAM} ${files})
   run(drawn ${path_of_node} ${web}/bin/hash_scene_files.js ${files})
