@@ -3,6 +3,7 @@
 #include <bit>
 #include <filesystem>
 #include <fstream>
+#include <limits>
 #include <sstream>
 
 #include <nlohmann/json.hpp>
@@ -109,17 +110,31 @@ bool same(const raster::FilmSettings& a, const raster::FilmSettings& b) {
            a.gamma == b.gamma;
 }
 
-/// What is shown rises with radiance: where the least and the greatest float that begin with 16 bits give one byte, all
-/// between give it.
-void prepare_display(const raster::FilmSettings& settings, DisplayBytes& display) {
-    if (!display.byte_of.empty() && same(settings, display.settings)) return;
-    display.settings = settings;
-    display.byte_of.resize(1u << 16);
-    for (std::uint32_t high = 0; high < display.byte_of.size(); ++high) {
-        const std::uint8_t least = byte_of(std::bit_cast<float>(high << 16), settings);
-        const std::uint8_t greatest = byte_of(std::bit_cast<float>(high << 16 | 0xffffu), settings);
-        display.byte_of[high] = least == greatest ? least : std::int16_t{-1};
+/// What is shown rises with radiance: the first float that gives more than the least one is found by halving.
+DisplayStep step_of(std::uint32_t high, const raster::FilmSettings& settings) {
+    const auto shown = [&](std::uint32_t low) { return byte_of(std::bit_cast<float>(high << 16 | low), settings); };
+    const int first = shown(0), last = shown(0xffffu);
+    if (first == last) return {std::numeric_limits<float>::quiet_NaN(), first};
+    if (last != first + 1) return {0.0f, -1};
+    std::uint32_t below = 0, above = 0xffffu;
+    while (above - below > 1) {
+        const std::uint32_t middle = (below + above) / 2;
+        (shown(middle) == first ? below : above) = middle;
     }
+    return {std::bit_cast<float>(high << 16 | above), first};
+}
+
+void prepare_display(const raster::FilmSettings& settings, DisplayBytes& display) {
+    if (!display.steps.empty() && same(settings, display.settings)) return;
+    display.settings = settings;
+    display.steps.clear();
+    for (std::uint32_t high = 0; high < 1u << 16; ++high) display.steps.push_back(step_of(high, settings));
+}
+
+std::uint8_t shown_byte(float radiance, const DisplayBytes& display) {
+    const DisplayStep& step = display.steps[std::bit_cast<std::uint32_t>(radiance) >> 16];
+    if (step.first < 0) return byte_of(radiance, display.settings);
+    return static_cast<std::uint8_t>(step.first + (radiance >= step.next ? 1 : 0));
 }
 
 void put_film_on_screen(const raster::Image& film, const DisplayBytes& display, ScreenPicture& picture) {
@@ -129,11 +144,7 @@ void put_film_on_screen(const raster::Image& film, const DisplayBytes& display, 
     picture.rgba.assign(4 * count, 255);
     for (std::size_t c = 0; c < 3; ++c) {
         const float* const plane = film.plane(static_cast<int>(c));
-        for (std::size_t i = 0; i < count; ++i) {
-            const std::int16_t known = display.byte_of[std::bit_cast<std::uint32_t>(plane[i]) >> 16];
-            picture.rgba[4 * i + c] =
-                known >= 0 ? static_cast<std::uint8_t>(known) : byte_of(plane[i], display.settings);
-        }
+        for (std::size_t i = 0; i < count; ++i) { picture.rgba[4 * i + c] = shown_byte(plane[i], display); }
     }
 }
 

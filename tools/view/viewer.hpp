@@ -20,11 +20,17 @@ struct ScreenPicture {
     std::vector<std::uint8_t> rgba;
 };
 
-/// The byte that a display shows of a radiance, looked up by the radiance's upper 16 bits: developing a film value by
-/// value takes longer than drawing it.
+/// The bytes that a display shows of radiances that begin with the same upper 16 bits: one, and from `next` on the one
+/// after it.
+struct DisplayStep {
+    float next = 0.0f;  ///< NaN: there is none
+    int first = 0;      ///< -1: they are more than two
+};
+
+/// What a display shows, looked up: developing a film value by value takes longer than drawing it.
 struct DisplayBytes {
     raster::FilmSettings settings;
-    std::vector<std::int16_t> byte_of;  ///< -1: these bits do not decide it; empty: not made yet
+    std::vector<DisplayStep> steps;  ///< one for each 16 bits; empty: not made yet
 };
 
 /// All that lives from frame to frame.
