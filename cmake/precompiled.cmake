@@ -15,3 +15,22 @@ function(kreda_precompile target)
   target_precompile_headers(${target} PRIVATE ${KREDA_COMMON_HEADERS} ${ARGN})
   target_compile_options(${target} PRIVATE ${KREDA_PRECOMPILED_WARNINGS})
 endfunction()
+
+# kreda_compile_together(TARGET): sources of text, JSON and command lines, whose headers take longer than they do, are
+# compiled several at a time (CMake's unity build), in a third of the time: a folder at once, or where a target has one
+# folder eight files. Names in unnamed namespaces are therefore unlike within a folder (CONTRIBUTING.md).
+# KREDA_COMPILE_TOGETHER=OFF compiles each file by itself again.
+option(KREDA_COMPILE_TOGETHER "Compile tools and tests several sources at a time" ON)
+function(kreda_compile_together target)
+  set_target_properties(${target} PROPERTIES UNITY_BUILD ${KREDA_COMPILE_TOGETHER} UNITY_BUILD_BATCH_SIZE 8)
+endfunction()
+function(kreda_compile_folders_together target)
+  get_target_property(sources ${target} SOURCES)
+  foreach(source ${sources})
+    file(RELATIVE_PATH name ${PROJECT_SOURCE_DIR} ${source})
+    string(REGEX REPLACE "/[^/]*$" "" folder ${name})
+    string(REPLACE "/" "_" folder ${folder})
+    set_source_files_properties(${source} PROPERTIES UNITY_GROUP ${folder})
+  endforeach()
+  set_target_properties(${target} PROPERTIES UNITY_BUILD ${KREDA_COMPILE_TOGETHER} UNITY_BUILD_MODE GROUP)
+endfunction()

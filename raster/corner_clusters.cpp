@@ -27,24 +27,40 @@ struct Side {
     std::uint32_t high_corner = 0;
 };
 
-/// Sides of all triangles that have an area, those of one edge next to each other, in the order of the triangles.
-std::vector<Side> sorted_sides(const Mesh& mesh, const std::vector<std::uint32_t>& point_of_vertex,
-                               const std::vector<glm::dvec3>& area_vectors) {
-    std::vector<Side> sides;
-    sides.reserve(mesh.indices.size());
+/// Calls visit(side) for all sides of triangles that have an area, in the order of the triangles.
+template <class Visit>
+void for_each_side(const Mesh& mesh, const std::vector<std::uint32_t>& point_of_vertex,
+                   const std::vector<glm::dvec3>& area_vectors, Visit visit) {
     for (std::uint32_t corner = 0; corner < 3 * mesh.triangle_count(); ++corner) {
         if (is_degenerate(area_vectors[corner / 3])) continue;
         const std::uint32_t next = corner % 3 == 2 ? corner - 2 : corner + 1;
         const std::uint64_t from = point_of_vertex[mesh.indices[corner]];
         const std::uint64_t to = point_of_vertex[mesh.indices[next]];
         if (from < to)
-            sides.push_back({from << 32 | to, corner, next});
+            visit(Side{from << 32 | to, corner, next});
         else
-            sides.push_back({to << 32 | from, next, corner});
+            visit(Side{to << 32 | from, next, corner});
     }
-    std::ranges::sort(sides, [](const Side& a, const Side& b) {
+}
+
+/// Those of one edge next to each other, in the order of the triangles: first each side goes to the others of its low
+/// point, of which there are few, then these are sorted.
+std::vector<Side> sorted_sides(const Mesh& mesh, const std::vector<std::uint32_t>& point_of_vertex,
+                               const std::vector<glm::dvec3>& area_vectors) {
+    std::vector<std::size_t> begin(mesh.positions.size() + 1, 0);  // of each low point's sides
+    for_each_side(mesh, point_of_vertex, area_vectors, [&](const Side& side) { ++begin[(side.points >> 32) + 1]; });
+    std::partial_sum(begin.begin(), begin.end(), begin.begin());
+    std::vector<Side> sides(begin.back());
+    std::vector<std::size_t> end(begin.begin(), begin.end() - 1);
+    for_each_side(mesh, point_of_vertex, area_vectors,
+                  [&](const Side& side) { sides[end[side.points >> 32]++] = side; });
+    const auto comes_before = [](const Side& a, const Side& b) {
         return a.points != b.points ? a.points < b.points : a.low_corner < b.low_corner;
-    });
+    };
+    for (std::size_t point = 0; point < end.size(); ++point) {
+        const auto first = sides.begin();
+        std::sort(first + std::ptrdiff_t(begin[point]), first + std::ptrdiff_t(end[point]), comes_before);
+    }
     return sides;
 }
 

@@ -340,7 +340,7 @@ KREDA_BATCH_LOOP void mark_beginnings(const TileVisibility& tile, int rows, std:
 
 }  // namespace
 
-int find_runs(const TileVisibility& tile, const TileArea& area, const TriangleSet& set, Run* runs) {
+int collect_runs(const TileVisibility& tile, const TileArea& area, const TriangleSet& set, Run* runs) {
     int found = 0;
     std::uint64_t begins[kTileSide];
     mark_beginnings(tile, area.height, begins);

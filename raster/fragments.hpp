@@ -98,7 +98,7 @@ enum class AttributeInterpolation { perspective, affine };
 
 /// Find the runs of a tile, row by row from the top, left to right. `runs` has room for one a sample. Returns their
 /// number.
-int find_runs(const TileVisibility& tile, const TileArea& area, const TriangleSet& set, Run* runs);
+int collect_runs(const TileVisibility& tile, const TileArea& area, const TriangleSet& set, Run* runs);
 
 /// Interpolate the attributes asked for over `run_count` runs, one behind the other, into the batch.
 ///   lambda_i = E_i / (E_0 + E_1 + E_2)      q_i = lambda_i / w_i      a = sum q_i a_i / sum q_i       Heckbert &

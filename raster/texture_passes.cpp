@@ -60,7 +60,7 @@ void sample_channel(const Fragments& fragments, const Channel& level, const Text
 
 }  // namespace
 
-void find_levels(const Fragments& fragments, const Texture& texture, const TextureLookup& lookup, Channel& level) {
+void set_levels(const Fragments& fragments, const Texture& texture, const TextureLookup& lookup, Channel& level) {
     levels(fragments, lanes_for(fragments.count), lookup.scale, texture.width, texture.height, level.value);
 }
 

@@ -14,7 +14,7 @@ struct TextureLookup {
 };
 
 /// Level of detail of every point from the steps of its uv: what `trilinear` reads.
-void find_levels(const Fragments& fragments, const Texture& texture, const TextureLookup& lookup, Channel& level);
+void set_levels(const Fragments& fragments, const Texture& texture, const TextureLookup& lookup, Channel& level);
 
 /// A texture of 3 channels at every point's (u, v). `level` counts for trilinear alone.
 void sample_color(const Fragments& fragments, const Channel& level, const Texture& texture, const TextureLookup& lookup,

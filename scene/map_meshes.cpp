@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <map>
+#include <set>
 
 #include "lighting/batch/maps.hpp"
 #include "raster/tangents.hpp"
@@ -22,15 +23,17 @@ bool wants_tangents(const Scene& scene, const Object& object) {
     return false;
 }
 
-std::shared_ptr<const raster::Mesh> with_tangents(const Object& object, std::vector<std::string>& warnings) {
-    auto mesh = std::make_shared<raster::Mesh>(*object.mesh);
+TangentMesh with_tangents(const std::shared_ptr<const raster::Mesh>& from) {
+    auto mesh = std::make_shared<raster::Mesh>(*from);
     const raster::TangentReport report = make_tangents(*mesh);
-    if (report.without_direction > 0) {
-        warnings.push_back(object.mesh_name + ": " + std::to_string(report.without_direction) +
-                           " vertices have no direction of u (the texture coordinates of their triangles lie on a "
-                           "line); the normal map tilts them some way");
-    }
-    return mesh;
+    return {from, std::move(mesh), report.without_direction};
+}
+
+void warn_of_tangents(const Object& object, const TangentMesh& made, std::vector<std::string>& warnings) {
+    if (made.without_direction == 0) return;
+    warnings.push_back(object.mesh_name + ": " + std::to_string(made.without_direction) +
+                       " vertices have no direction of u (the texture coordinates of their triangles lie on a "
+                       "line); the normal map tilts them some way");
 }
 
 }  // namespace
@@ -70,13 +73,14 @@ void drop_maps_without_uv(Scene& scene) {
     }
 }
 
-void add_tangents(Scene& scene) {
-    std::map<const raster::Mesh*, std::shared_ptr<const raster::Mesh>> made;
+void add_tangents(Scene& scene, TangentMeshes& made) {
+    std::set<const raster::Mesh*> warned;
     for (Object& object : scene.objects) {
         if (!object.mesh->tangents.empty() || object.mesh->uvs.empty() || !wants_tangents(scene, object)) continue;
-        std::shared_ptr<const raster::Mesh>& mesh = made[object.mesh.get()];
-        if (!mesh) mesh = with_tangents(object, scene.warnings);
-        object.mesh = mesh;
+        TangentMesh& with = made[object.mesh.get()];
+        if (!with.mesh) with = with_tangents(object.mesh);
+        if (warned.insert(object.mesh.get()).second) warn_of_tangents(object, with, scene.warnings);
+        object.mesh = with.mesh;
     }
 }
 

@@ -1,6 +1,12 @@
 // Gives meshes what maps need: texture coordinates are checked, tangents for normal maps are made.
 #pragma once
 
+#include <cstdint>
+#include <map>
+#include <memory>
+#include <string>
+#include <vector>
+
 #include "scene/scene.hpp"
 
 namespace kreda::scene {
@@ -12,8 +18,16 @@ namespace kreda::scene {
 /// none. Warns once a mesh and material.
 void drop_maps_without_uv(Scene& scene);
 
-/// Gives the meshes whose material reads a normal map (its texels are there) their tangents. Warns where some vertices
-/// have none.
-void add_tangents(Scene& scene);
+/// A mesh with tangents, made from one without.
+struct TangentMesh {
+    std::shared_ptr<const raster::Mesh> from, mesh;
+    std::uint32_t without_direction = 0;  ///< vertices
+};
+/// By the mesh without.
+using TangentMeshes = std::map<const raster::Mesh*, TangentMesh>;
+
+/// Gives the meshes whose material reads a normal map (its texels are there) their tangents: those of `made`, to which
+/// it adds. Warns where some vertices have none.
+void add_tangents(Scene& scene, TangentMeshes& made);
 
 }  // namespace kreda::scene

@@ -62,6 +62,7 @@ struct Object {
     std::vector<int> part_material;            ///< for each part of the mesh: index into Scene::materials
     std::vector<bool> part_hidden;             ///< for each part of the mesh: not drawn
     bool casts_shadow = true;
+    bool on = true;  ///< off: the file's mesh was not read; `mesh` is one part without triangles, and hidden
 };
 
 struct Scene {

@@ -29,7 +29,7 @@ bool seen_from_behind(bool behind, const glm::vec3& front_normal, const glm::vec
 
 /// The three corners of a drawn triangle are clockwise on the screen, so their cross product points away from the
 /// viewer: to the triangle's front where its back is seen.
-bool find_side(const raster::VertexStreams& streams, const Viewer& viewer, const raster::ScreenTriangle& triangle) {
+bool judge_side(const raster::VertexStreams& streams, const Viewer& viewer, const raster::ScreenTriangle& triangle) {
     const auto& [a, b, c] = triangle.vertex;
     const glm::vec3 p = streams.position_world[a];
     const glm::vec3 away = glm::cross(streams.position_world[b] - p, streams.position_world[c] - p);

@@ -25,7 +25,7 @@ struct Viewer {
 
 /// That question for a triangle that reached the tiles, whose `behind` is what its winding says. The streams hold
 /// positions and normals.
-[[nodiscard]] bool find_side(const raster::VertexStreams& streams, const Viewer& viewer,
-                             const raster::ScreenTriangle& triangle);
+[[nodiscard]] bool judge_side(const raster::VertexStreams& streams, const Viewer& viewer,
+                              const raster::ScreenTriangle& triangle);
 
 }  // namespace kreda::scene

@@ -4,7 +4,7 @@
 
 namespace kreda::shadows {
 
-ExactShadow prepare_exact(std::span<const Occluder> occluders, const ShadowLight& light) {
+ExactShadow build_exact_shadow(std::span<const Occluder> occluders, const ShadowLight& light) {
     return {homogeneous(light), build_bvh(gather_triangles(occluders))};
 }
 

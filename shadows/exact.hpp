@@ -14,7 +14,7 @@ struct ExactShadow {
 };
 
 /// Builds the tree of the casters for one light.
-[[nodiscard]] ExactShadow prepare_exact(std::span<const Occluder> occluders, const ShadowLight& light);
+[[nodiscard]] ExactShadow build_exact_shadow(std::span<const Occluder> occluders, const ShadowLight& light);
 
 /// 1 where nothing stands between the point and the light, 0 elsewhere, for the first `count` points of a batch. World
 /// space.

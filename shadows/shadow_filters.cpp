@@ -57,7 +57,7 @@ struct Texels {
     alignas(64) int place[raster::kChannelSize];
 };
 
-KREDA_BATCH_LOOP void find_texels(const MapPoints& points, int lanes, TexelGrid grid, Texels& texels) {
+KREDA_BATCH_LOOP void set_texels(const MapPoints& points, int lanes, TexelGrid grid, Texels& texels) {
     for (int i = 0; i < lanes; ++i) {
         texels.place[i] = points.face_begin[i] + place_of_texel(points.u.at(i), points.v.at(i), grid);
     }
@@ -83,7 +83,7 @@ KREDA_BATCH_LOOP void scale(int lanes, float f, Channel& channel) {
 /// Percentage-closer filtering: compare first, then average, over (2 radius + 1)^2 texels.  Reeves, Salesin, Cook 1987
 void filter_box(const ShadowMap& map, const MapPoints& points, int lanes, int radius, Channel& shadow) {
     Texels texels;
-    find_texels(points, lanes, texel_grid(map), texels);
+    set_texels(points, lanes, texel_grid(map), texels);
     fill(lanes, 0.0f, shadow);
     for (int v = -radius; v <= radius; ++v) {
         for (int u = -radius; u <= radius; ++u) {
@@ -116,7 +116,7 @@ void locate(const ShadowMap& map, const Channel3& position, const Channel3& n, i
 std::vector<FilterTap> box_taps(const ShadowMap& map, const MapPoints& points, int radius) {
     const TexelGrid grid = texel_grid(map);
     Texels texels;
-    find_texels(points, lanes_for(1), grid, texels);
+    set_texels(points, lanes_for(1), grid, texels);
     const int place = texels.place[0];
     const int in_face = place - points.face_begin[0] - grid.before_first;
     std::vector<FilterTap> taps;
@@ -159,7 +159,7 @@ void shadow_blockers(const ShadowMap& map, const raster::Channel3& position, con
     locate(map, position, normal, lanes, points);
     if (map.plan.settings.filter != ShadowFilter::pcss) {
         Texels texels;
-        find_texels(points, lanes, texel_grid(map), texels);
+        set_texels(points, lanes, texel_grid(map), texels);
         nearest_blocker(points, texels, lanes, map.distance.data(), blocker_distance.value);
         return fill(lanes, 0.0f, penumbra);
     }

@@ -140,7 +140,7 @@ std::vector<Piece> find_pieces(const Occluder& occluder, const glm::dvec4& light
 
 }  // namespace
 
-VolumeShape find_volume(const Occluder& occluder, const glm::dvec4& light) {
+VolumeShape make_shadow_volume(const Occluder& occluder, const glm::dvec4& light) {
     std::vector<Face> faces = make_faces(occluder, light);
     const std::vector<Piece> pieces = find_pieces(occluder, light, faces);
     const auto has_outline = [&](const Piece& piece) {

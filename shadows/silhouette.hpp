@@ -41,6 +41,6 @@ struct VolumeShape {
 /// right for every mesh, whatever its holes (Bergeron 1986, Aldridge & Woods 2004), but has more faces.
 ///
 /// light: homogeneous, see light_ray.hpp. Triangles that are not finite or seen edge on by the light cast nothing.
-[[nodiscard]] VolumeShape find_volume(const Occluder& occluder, const glm::dvec4& light);
+[[nodiscard]] VolumeShape make_shadow_volume(const Occluder& occluder, const glm::dvec4& light);
 
 }  // namespace kreda::shadows

@@ -49,7 +49,7 @@ void find_visible(const raster::VertexStreams& streams, const raster::TriangleSe
             const raster::TileArea area = tile_area(set.grid, viewport, t);
             rasterize_tile(streams, set, area, scratch->visibility);
             copy_visibility(scratch->visibility, area, frame);
-            const int run_count = find_runs(scratch->visibility, area, set, scratch->runs);
+            const int run_count = collect_runs(scratch->visibility, area, set, scratch->runs);
             for (int r = 0; r < run_count; ++r) {
                 const raster::Run& run = scratch->runs[r];
                 interpolate_runs(streams, set, area, &run, 1, needs, interpolation, scratch->fragments);

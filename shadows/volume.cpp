@@ -111,7 +111,7 @@ VolumeFaces make_volume_faces(std::span<const VolumeCaster> casters, const Shado
     const glm::dvec4 from = homogeneous(light);
     VolumeFaces result;
     for (std::uint32_t i = 0; i < casters.size(); ++i) {
-        const VolumeShape shape = find_volume(casters[i].occluder, from);
+        const VolumeShape shape = make_shadow_volume(casters[i].occluder, from);
         FaceMaker maker(casters[i], from, samples, result);
         for (const Cap& cap : shape.caps) maker.add_cap(cap);
         for (const SilhouetteEdge& edge : shape.sides) maker.add_side(edge);

@@ -9,7 +9,7 @@
 #include <glm/geometric.hpp>
 #include <nlohmann/json.hpp>
 
-#include "scene/files/mesh_file.hpp"
+#include "scene/files/loaded_files.hpp"
 #include "scene/files/scene_keys.hpp"
 
 namespace kreda::tools {
@@ -103,12 +103,11 @@ std::string scene_around_mesh(const std::string& path, const raster::Mesh& mesh)
 }
 
 scene::Scene read_scene_around_mesh(const std::string& path, const scene::ReadOptions& read) {
-    const scene::MeshFileOptions options{scene::Normals::file, read.allow_outside};
-    scene::ReadOptions with_mesh = read;
-    with_mesh.ready_path = std::filesystem::absolute(path).lexically_normal().string();
-    with_mesh.ready = std::make_shared<scene::LoadedMesh>(load_mesh_file(path, options));
-    const std::string text = scene_around_mesh(path, with_mesh.ready->mesh);
-    return scene::read_scene_text(text, "scene around " + path, "", with_mesh);
+    scene::LoadedFiles own;
+    scene::ReadOptions with_store = read;
+    if (!with_store.files) with_store.files = &own;
+    const auto loaded = load_mesh(with_store.files, path, {scene::Normals::file, read.allow_outside});
+    return scene::read_scene_text(scene_around_mesh(path, loaded->mesh), "scene around " + path, "", with_store);
 }
 
 }  // namespace kreda::tools

@@ -48,7 +48,8 @@ Json json_of_seen(const scene::Scene& scene, const scene::RenderPlan& plan) {
                                    {"samples", object.samples},
                                    {"triangles", object.triangles.input},
                                    {"drawn", object.triangles.drawn}});
-        if (object.samples == 0) json["objects"].back()["why_unseen"] = scene::why_unseen(object.triangles);
+        if (object.samples == 0)
+            json["objects"].back()["why_unseen"] = scene::why_unseen(scene.objects[o], object.triangles);
     }
     json["materials"] = Json::array();
     for (std::size_t m = 0; m < scene.materials.size(); ++m) {

@@ -1,9 +1,9 @@
 // kreda render: a scene file becomes a picture.
 #include <algorithm>
-#include <cmath>
 #include <filesystem>
 #include <iostream>
 #include <memory>
+#include <mutex>
 #include <string>
 #include <system_error>
 #include <vector>
@@ -12,16 +12,18 @@
 
 #include "raster/film.hpp"
 #include "scene/files/image_file.hpp"
-#include "scene/plan/origin_words.hpp"
 #include "scene/render/light_depth.hpp"
 #include "scene/render/render.hpp"
-#include "tools/bake/bake_scene.hpp"
+#include "scene/render/stopwatch.hpp"
 #include "tools/bench/time_report.hpp"
 #include "tools/commands.hpp"
 #include "tools/draw/draw.hpp"
 #include "tools/draw/slide.hpp"
+#include "tools/kept_frames.hpp"
+#include "tools/render_output.hpp"
 #include "tools/scene_options.hpp"
 #include "tools/stages/stage.hpp"
+#include "tools/watch/watch.hpp"
 
 namespace kreda::tools {
 
@@ -39,6 +41,7 @@ struct RenderOptions {
     int threads = 0;     ///< 0: as many as there are cores
     int repeat = 1;
     bool time = false;
+    bool watch = false;   ///< draw again at every change
     std::string slides;   ///< "dark" or "light"; empty: the picture alone
     std::string title;    ///< of the slide; empty: the example's or the scene's name
     std::string caption;  ///< of the slide; empty: the view, or what --set changed
@@ -48,36 +51,6 @@ std::string output_path(const RenderOptions& options) {
     if (!options.output.empty()) return options.output;
     if (options.scene.file.empty()) return "built_in.png";
     return fs::path(options.scene.file).stem().string() + ".png";
-}
-
-bool is_exr(const std::string& path) {
-    const std::string extension = fs::path(path).extension().string();
-    return extension == ".exr" || extension == ".EXR";
-}
-
-/// Before anything is loaded or drawn: nobody should wait for a picture that cannot be written.
-void check_output(const std::string& path) {
-    const std::string extension = fs::path(path).extension().string();
-    if (!is_exr(path) && extension != ".png" && extension != ".PNG") {
-        throw UserError(Place{path},
-                        "pictures are .png (8-bit sRGB) or .exr (linear float); end the name with one of them");
-    }
-    const fs::path folder = fs::path(path).parent_path();
-    std::error_code ignored;
-    if (!folder.empty() && !fs::is_directory(folder, ignored)) {
-        throw UserError(Place{path}, "the folder " + folder.string() + " does not exist; create it first");
-    }
-    if (fs::is_directory(path, ignored)) throw UserError(Place{path}, "is a folder; a picture needs a file name");
-}
-
-void warn_of_film(const raster::FilmReport& report, bool linear) {
-    const auto values = [](std::uint64_t count, const char* what) { return std::to_string(count) + what; };
-    if (report.not_a_number > 0)
-        warn(values(report.not_a_number, " values of the picture are not a number; written as 0"));
-    if (report.infinite > 0)
-        warn(values(report.infinite, " values of the picture are infinite; written as the largest value"));
-    if (report.negative > 0 && !linear)
-        warn(values(report.negative, " values of the picture are negative; written as 0"));
 }
 
 /// Those of the picture's size, and what a light sees.
@@ -102,40 +75,6 @@ const scene::View* chosen_view(const std::string& name) {
     const std::string near = scene::nearest_word(name, names);
     throw UserError("--view " + name + ": there is no such view" +
                     (near.empty() ? "" : "; did you mean " + near + "?") + " (kreda render --help lists them)");
-}
-
-void write_view(const std::string& path, const scene::View& view, const raster::Image& values,
-                const scene::Scene& scene) {
-    if (is_exr(path)) {
-        const bool grey = view.components == 1;
-        scene::write_exr(path, raster::without_non_finite(values),
-                         grey ? std::vector<std::string>{"Y"} : std::vector<std::string>{"R", "G", "B"});
-    } else {
-        const scene::ViewPicture picture = picture_of(view, values, scene);
-        scene::write_png(path, picture.encoded);
-        for (const scene::ValueRange& range : picture.ranges) {
-            if (std::isfinite(range.least)) {
-                std::cerr << "black is " << range.least << ", white is " << range.greatest << "\n";
-            } else {
-                std::cerr << "all of it is background\n";
-            }
-        }
-    }
-    std::cerr << "wrote " << path << " (" << values.width << " x " << values.height << "), " << view.name << ": "
-              << view.meaning << "\n";
-    if (view.name == "position" && scene::is_far_from_zero(scene)) std::cerr << scene::origin_sentence(scene) << "\n";
-}
-
-void write_picture(const std::string& path, const raster::Image& film, const scene::ImageSettings& settings) {
-    raster::FilmReport report;
-    const bool linear = is_exr(path);
-    if (linear) {
-        scene::write_exr(path, raster::without_non_finite(film, &report));
-    } else {
-        scene::write_png(path, raster::develop(film, film_settings(settings), &report));
-    }
-    warn_of_film(report, linear);
-    std::cerr << "wrote " << path << " (" << film.width << " x " << film.height << ")\n";
 }
 
 /// What stands on the slide: by default the view, else what the command line changed in the scene.
@@ -197,25 +136,32 @@ void check_slides(const RenderOptions& options, const std::string& path) {
     if (is_exr(path)) throw UserError(Place{path}, "a slide is a .png; without --slides an .exr holds the numbers");
 }
 
-void render_command(const RenderOptions& options) {
-    const std::string path = output_path(options);
-    check_output(path);
-    check_slides(options, path);
-    const scene::View* view = chosen_view(options.view);
-    auto [scene, plan] = load_and_plan(options.scene, request_for(view), [&](scene::Scene& loaded) {
+/// Read, draw and write. `writing` is held while a file is written.
+void render_once(const RenderOptions& options, const std::string& path, const scene::View* view, KeptFrames& kept,
+                 std::mutex& writing) {
+    TimeReport report;
+    scene::Stopwatch watch;
+    SceneOptions with_store = options.scene;
+    if (options.watch) with_store.read.files = &kept.files;
+    auto [scene, plan] = load_and_plan(with_store, request_for(view), [&](scene::Scene& loaded) {
         if (!options.slides.empty()) fit_to_slide(loaded.image);
     });
     if (view) check_view(make_plan_for(scene, scene::PlanRequest{.prune = false}), scene, *view);
-    bake_scene(scene, plan.environment, options.cache);
-    scene::RenderBuffers buffers;
-    TimeReport report;
-    for (int i = 0; i < options.repeat; ++i) report.frames.push_back(render(scene, plan, buffers, options.threads));
+    report.around.load = watch.lap_ms();
+    bake_kept(scene, plan, options.cache, kept);
+    report.around.bake = watch.lap_ms();
+    const scene::RenderBuffers& buffers = kept.buffers;
+    for (int i = 0; i < options.repeat; ++i) {
+        report.frames.push_back(render(scene, plan, kept.buffers, options.threads));
+    }
     const std::uint64_t dropped = report.frames.back().triangles.non_finite;
     if (dropped > 0) warn(std::to_string(dropped) + " triangles were dropped: a corner is not a finite number");
     if (plan.film && plan.draws_objects && is_black(buffers.film)) {
         warn_of_scene({"the picture is black; what is seen needs a light that is on, ambient light or emission"},
                       options.scene);
     }
+    watch.lap_ms();
+    const std::lock_guard<std::mutex> whole(writing);
     if (!options.slides.empty())
         write_slide(path, options, view, buffers, scene);
     else if (view)
@@ -223,11 +169,32 @@ void render_command(const RenderOptions& options) {
     else
         write_picture(path, buffers.film, scene.image);
     if (!options.time) return;
+    report.around.write = watch.lap_ms();
     report.width = scene.image.width;
     report.height = scene.image.height;
     report.samples = scene.image.samples;
     report.threads = static_cast<int>(buffers.scratch.size());
-    std::cout << json_line(report) << "\n";
+    std::cout << json_line(report) << std::endl;
+}
+
+void check_watch(const RenderOptions& options) {
+    std::error_code unknown;
+    if (fs::is_regular_file(options.scene.file, unknown)) return;
+    throw UserError("--watch needs a scene file or a mesh that can change" +
+                    (options.scene.file.empty() ? "" : ": " + options.scene.file + " is no file"));
+}
+
+void render_command(const RenderOptions& options) {
+    const std::string path = output_path(options);
+    check_output(path);
+    check_slides(options, path);
+    if (options.watch) check_watch(options);
+    const scene::View* view = chosen_view(options.view);
+    KeptFrames kept;
+    kept.buffers.keeps_results = options.watch && options.repeat == 1;
+    std::mutex writing;
+    if (options.watch) watch(path, kept.files, writing, [&] { render_once(options, path, view, kept, writing); });
+    render_once(options, path, view, kept, writing);
 }
 
 std::string view_list() {
@@ -249,8 +216,8 @@ light_depth is as large as the map (shadow.size; six in a row for a point light:
 The scene file is described by `kreda keys`; a value given here wins over the file's.
 --time prints one line of JSON, milliseconds from the loaded scene to the linear film, without loading, tone mapping and
 writing. Its stages are the passes of kreda plan, in that order; those that threads share tile by tile take parts of the
-common time. Baking is done before, and not part of total_ms. pixels_shaded counts visible samples: with --samples 2 up to
-four a pixel.
+common time. Baking is done before, and not part of total_ms; "around" has what loading, baking and writing take, once.
+pixels_shaded counts visible samples: with --samples 2 up to four a pixel.
 An environment is baked before the first frame. Its maps are kept in .kreda-cache beside the scene file, for the next render;
 delete the folder at will.
 
@@ -260,6 +227,7 @@ Examples:
   kreda render scene.toml -o picture.exr --size 1920x1080        linear float, before tone mapping
   kreda render scene.toml --set camera.position=[0,1,4] --samples 4
   kreda render scene.toml --cache ../maps                        keep the environment's maps there
+  kreda render scene.toml --watch                                draw again whenever a file of the scene is saved
   kreda render scene.toml --view normal -o normal.png
   kreda render scene.toml --light 0 --view light_depth           what light.0 sees: its shadow map
   kreda render scene.toml -o slide.png --slides dark             1920 x 1080 with title and caption
@@ -290,6 +258,8 @@ void add_render_command(CLI::App& app) {
     command->add_option("--repeat", options->repeat, "Draw N times; --time gives the median of each number")
         ->type_name("N")
         ->check(CLI::Range(1, 100000));
+    command->add_flag("--watch", options->watch,
+                      "Draw again whenever the scene or a file that it names changes; Ctrl-C ends it");
     command->add_option("--view", options->view, "Draw this quantity instead of the picture; the list is below")
         ->type_name("NAME");
     command->footer("\n" + view_list() + kRenderExamples);

@@ -112,7 +112,7 @@ PlannedScene load_and_plan(const SceneOptions& given, const scene::PlanRequest& 
     loaded.scene.warnings.clear();  // they are printed
     adapt(loaded.scene);
     const scene::LoadingPlan loading = plan_loading(loaded.scene, request);
-    load_maps(loaded.scene, loading.maps);
+    load_maps(loaded.scene, loading.maps, options.read.files);
     scene::PlanRequest with_seen = request;
     with_seen.seen = &loading.seen;
     loaded.plan = make_plan_for(loaded.scene, with_seen);

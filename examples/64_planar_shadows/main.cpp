@@ -31,7 +31,7 @@ Stage make_stage(glm::ivec2 size) {
     scene::RenderBuffers buffers;
     Stage stage;
     render(scene, plan, buffers, 0, [&](const scene::Frame& frame) {
-        stage.casting = gather_triangles(find_occluders(frame, plan.shadows[0].casters).list);
+        stage.casting = gather_triangles(collect_occluders(frame, plan.shadows[0].casters).list);
     });
     stage.plane = plan.shadows[0].receivers[0].plane;
     stage.light = homogeneous(plan.shadows[0].source);

@@ -1,6 +1,6 @@
 // 65_shadow_volumes: extrude the silhouettes, count faces behind every pixel: where the count is not 0 is shadow.
-// Page docs/65_shadow_volumes.md | After 64_planar_shadows | New: find_volume(), pushed_away(), count_volumes()
-// Break at: find_volume | Look at: shape.caps, shape.sides | Try: a lamp inside the ball, a teapot (it is open)
+// Page docs/65_shadow_volumes.md | After 64_planar_shadows | New: make_shadow_volume(), pushed_away(), count_volumes()
+// Break at: make_shadow_volume | Look at: shape.caps, shape.sides | Try: a lamp inside the ball, a teapot (it is open)
 #include "examples/example.hpp"
 #include "examples/table_scene.hpp"
 #include "scene/render/frame_shadows.hpp"
@@ -28,7 +28,7 @@ Stage make_stage(scene::Scene scene) {
     stage.scene.shadow.method = shadows::ShadowMethod::volume;
     const scene::RenderPlan plan = make_plan(stage.scene);
     render(stage.scene, plan, stage.buffers, 0, [&](const scene::Frame& frame) {
-        const std::vector<shadows::Occluder> occluders = find_occluders(frame, plan.shadows[0].casters).list;
+        const std::vector<shadows::Occluder> occluders = collect_occluders(frame, plan.shadows[0].casters).list;
         for (std::size_t i = 0; i < occluders.size(); ++i) {
             const auto object = static_cast<std::size_t>(plan.shadows[0].casters[i]);
             stage.casters.push_back({occluders[i], shadows::clip_positions(stage.buffers.instances[object],
@@ -76,7 +76,7 @@ Image silhouette_picture(const Stage& stage) {
     Image image = stage.buffers.film;
     for (float& value : image.values) value *= 0.5f;
     for (const shadows::VolumeCaster& caster : stage.casters) {
-        const shadows::VolumeShape shape = find_volume(caster.occluder, homogeneous(stage.light));
+        const shadows::VolumeShape shape = make_shadow_volume(caster.occluder, homogeneous(stage.light));
         for (const shadows::SilhouetteEdge& edge : shape.sides) {
             const glm::vec3 corner = caster.occluder.positions[edge.from];
             const glm::vec4 away(corner + 0.8f * (corner - stage.light.position), 1.0f);

@@ -39,7 +39,7 @@ Few draw_few(glm::ivec2 pixels) {
     render(scene, plan, few.buffers, 0, [&](const scene::Frame& frame) {
         few.grids = make_light_grids(plan.shadows[0].source, few.buffers.visible.samples());
         for (const shadows::Triangle& t :
-             shadows::gather_triangles(find_occluders(frame, plan.shadows[0].casters).list)) {
+             shadows::gather_triangles(collect_occluders(frame, plan.shadows[0].casters).list)) {
             few.triangles.push_back(set_up(fullest(few.grids), t));
         }
     });

@@ -44,6 +44,8 @@ struct LightingChannels {
     raster::Channel3 t;             ///< unit, in the surface: the way scratches or threads run (ward, heidrich_seidel)
     raster::Channel3 l;             ///< unit, to the light that is being added
     raster::Channel3 irradiance;    ///< what that light sends, s(p); in shadow what the shadow leaves of it
+    bool one_l = false;             ///< l is the same at every point of every batch: a directional light
+    bool one_v = false;             ///< v is: a parallel projection
     raster::Channel n_dot_l;        ///< of that light; negative where the surface faces away from it
     raster::Channel sigma;          ///< Sigma of that light; phong and blinn_phong
     raster::Channel

@@ -91,7 +91,7 @@ KREDA_BATCH_LOOP void add_to_ambient(int lanes, LightingChannels& c) {
 }
 
 /// E; 0 where it is not baked: metals alone reflect nothing diffusely.
-void find_irradiance(int lanes, const EnvironmentSetup& setup, LightingChannels& c) {
+void set_irradiance(int lanes, const EnvironmentSetup& setup, LightingChannels& c) {
     EnvironmentChannels& e = c.environment;
     if (!setup.maps->sh9 && setup.maps->irradiance.empty()) return start_irradiance(lanes, e);
     turn_to_maps(lanes, setup, c.n, e);
@@ -103,7 +103,7 @@ void find_irradiance(int lanes, const EnvironmentSetup& setup, LightingChannels&
 }
 
 /// P along channels.environment.map_direction; without a map of the roughness one level serves all points.
-void find_prefiltered(int lanes, const MaterialSetup& material, const EnvironmentSetup& setup, EnvironmentChannels& e) {
+void set_prefiltered(int lanes, const MaterialSetup& material, const EnvironmentSetup& setup, EnvironmentChannels& e) {
     const CubeMap& map = setup.maps->prefiltered;
     if (material.maps.roughness.texture) {
         sample_trilinear(map, lanes, e.map_direction, e.lod, e.scratch, e.prefiltered);
@@ -114,14 +114,14 @@ void find_prefiltered(int lanes, const MaterialSetup& material, const Environmen
     scale_channel(lanes, setup.intensity, e.prefiltered);
 }
 
-void find_split_sum(int count, const MaterialSetup& material, const EnvironmentSetup& setup, LightingChannels& c) {
+void set_split_sum(int count, const MaterialSetup& material, const EnvironmentSetup& setup, LightingChannels& c) {
     const int lanes = lanes_for(count);
     const CookTorranceSetup& surface = material.cook_torrance;
     EnvironmentChannels& e = c.environment;
-    find_irradiance(lanes, setup, c);
+    set_irradiance(lanes, setup, c);
     direct_to_mirror(lanes, c);
     turn_to_maps(lanes, setup, e.direction, e);
-    find_prefiltered(lanes, material, setup, e);
+    set_prefiltered(lanes, material, setup, e);
     const BrdfMap* map = find_brdf(*setup.maps, {surface.distribution, surface.geometry});
     KREDA_EXPECT(map != nullptr);
     look_up_brdf(*map, lanes, c.microfacet.n_dot_v, c.microfacet.roughness, e.scratch, e.brdf);
@@ -152,13 +152,13 @@ void add_environment(const raster::Fragments& fragments, const MaterialSetup& ma
             if (exact)
                 sum_environment(count, material.cook_torrance, setup, channels);
             else
-                find_split_sum(count, material, setup, channels);
+                set_split_sum(count, material, setup, channels);
             break;
         default:
             if (exact)
                 sum_irradiance(count, setup, channels);
             else
-                find_irradiance(lanes, setup, channels);
+                set_irradiance(lanes, setup, channels);
             if (material.maps.diffuse.texture)
                 reflect_diffusely_from_map(lanes, channels);
             else

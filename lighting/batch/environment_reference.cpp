@@ -71,8 +71,8 @@ KREDA_BATCH_LOOP void choose_light_direction(int lanes, const EnvironmentSetup& 
     for (int i = 0; i < lanes; ++i) set_direction_to_light(c, i, l);
 }
 
-KREDA_BATCH_LOOP void find_light_density(int lanes, const LightTable& light_table, const EnvironmentChannels& e,
-                                         SampleDensities& p) {
+KREDA_BATCH_LOOP void set_light_density(int lanes, const LightTable& light_table, const EnvironmentChannels& e,
+                                        SampleDensities& p) {
     const int size = light_table.size;
     for (int i = 0; i < lanes; ++i) {
         const DensityTap tap = density_tap(size, e.map_direction.at(i));
@@ -84,7 +84,7 @@ KREDA_BATCH_LOOP void find_light_density(int lanes, const LightTable& light_tabl
 }
 
 /// p = D_GGX G_1(v) / (4 n.v) = D_GGX / (2 (n.v + root))
-KREDA_BATCH_LOOP void find_facet_density(int lanes, const MicrofacetChannels& m, raster::Channel& density) {
+KREDA_BATCH_LOOP void set_facet_density(int lanes, const MicrofacetChannels& m, raster::Channel& density) {
     for (int i = 0; i < lanes; ++i) {
         const float alpha = m.alpha.at(i), n_dot_v = m.n_dot_v.at(i);
         const float D = ggx_distribution(m.n_dot_h.at(i), m.sin2_h.at(i), alpha);
@@ -95,7 +95,7 @@ KREDA_BATCH_LOOP void find_facet_density(int lanes, const MicrofacetChannels& m,
 /// L along c.l into e.prefiltered, and how likely that direction is to be chosen.
 void look_along(int count, const EnvironmentSetup& setup, LightingChannels& c, SampleDensities& p) {
     look_at_environment(count, setup, c.l, c.environment);
-    find_light_density(lanes_for(count), setup.maps->light, c.environment, p);
+    set_light_density(lanes_for(count), setup.maps->light, c.environment, p);
 }
 
 /// ao D V F L (n.l)
@@ -219,7 +219,7 @@ void sum_environment(int count, const CookTorranceSetup& surface, const Environm
         look_along(count, setup, c, p);
     };
     const auto add_highlight = [&] {
-        find_facet_density(lanes, c.microfacet, p.facet);
+        set_facet_density(lanes, c.microfacet, p.facet);
         add_specular_sample(lanes, share, p, c, sums);
     };
     const auto add_diffuse = [&] {

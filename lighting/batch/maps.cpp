@@ -20,19 +20,19 @@ raster::TextureLookup lookup_of(const MaterialMaps& maps) {
     return {maps.filter, maps.wrap, maps.scale};
 }
 
-void find_level(const Fragments& fragments, const raster::Texture& texture, const MaterialMaps& maps, Channel& level) {
-    if (maps.filter == TextureFilter::trilinear) find_levels(fragments, texture, lookup_of(maps), level);
+void set_level(const Fragments& fragments, const raster::Texture& texture, const MaterialMaps& maps, Channel& level) {
+    if (maps.filter == TextureFilter::trilinear) set_levels(fragments, texture, lookup_of(maps), level);
 }
 
 void read_color(const Fragments& fragments, const Map& map, const MaterialMaps& maps, Channel& level, Channel3& out) {
     if (!map.texture) return;
-    find_level(fragments, *map.texture, maps, level);
+    set_level(fragments, *map.texture, maps, level);
     sample_color(fragments, level, *map.texture, lookup_of(maps), out);
 }
 
 void read_value(const Fragments& fragments, const Map& map, const MaterialMaps& maps, Channel& level, Channel& out) {
     if (!map.texture) return;
-    find_level(fragments, *map.texture, maps, level);
+    set_level(fragments, *map.texture, maps, level);
     sample_value(fragments, level, *map.texture, lookup_of(maps), out);
 }
 

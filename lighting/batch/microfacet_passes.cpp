@@ -18,11 +18,11 @@ KREDA_BATCH_LOOP void fill_constants(int lanes, MicrofacetSurface s, MicrofacetC
     }
 }
 
-KREDA_BATCH_LOOP void find_n_dot_v(int lanes, LightingChannels& c) {
+KREDA_BATCH_LOOP void set_n_dot_v(int lanes, LightingChannels& c) {
     for (int i = 0; i < lanes; ++i) c.microfacet.n_dot_v.set(i, raster::saturate(glm::dot(c.n.at(i), c.v.at(i))));
 }
 
-KREDA_BATCH_LOOP void find_angles(int lanes, LightingChannels& c) {
+KREDA_BATCH_LOOP void set_angles(int lanes, LightingChannels& c) {
     MicrofacetChannels& m = c.microfacet;
     for (int i = 0; i < lanes; ++i) {
         const HalfVectorAngles a = half_vector_angles(c.n.at(i), c.l.at(i), c.v.at(i));
@@ -33,7 +33,7 @@ KREDA_BATCH_LOOP void find_angles(int lanes, LightingChannels& c) {
     }
 }
 
-KREDA_BATCH_LOOP void find_distribution(int lanes, Distribution distribution, MicrofacetChannels& m) {
+KREDA_BATCH_LOOP void set_distribution(int lanes, Distribution distribution, MicrofacetChannels& m) {
     with_distribution(distribution, [&](auto D) {
         for (int i = 0; i < lanes; ++i) {  // 4 formulas
             m.D.set(i, D(m.n_dot_h.at(i), m.sin2_h.at(i), m.alpha.at(i)));
@@ -41,7 +41,7 @@ KREDA_BATCH_LOOP void find_distribution(int lanes, Distribution distribution, Mi
     });
 }
 
-KREDA_BATCH_LOOP void find_visibility(int lanes, Geometry geometry, LitBy lit_by, MicrofacetChannels& m) {
+KREDA_BATCH_LOOP void set_visibility(int lanes, Geometry geometry, LitBy lit_by, MicrofacetChannels& m) {
     with_visibility(geometry, lit_by, [&](auto V) {
         for (int i = 0; i < lanes; ++i) {  // 6 formulas
             const MicrofacetAngles angles{m.n_dot_l.at(i), m.n_dot_v.at(i), m.n_dot_h.at(i), m.v_dot_h.at(i),
@@ -62,12 +62,12 @@ KREDA_BATCH_LOOP void start_spectrum(int lanes, MicrofacetChannels& m) {
     for (int i = 0; i < lanes; ++i) m.F.set(i, glm::vec3(0.0f));  // not vectorized: GCC makes it calls of memset
 }
 
-void find_spectral(int lanes, const SpectralIndex& index, MicrofacetChannels& m) {
+void set_spectral(int lanes, const SpectralIndex& index, MicrofacetChannels& m) {
     start_spectrum(lanes, m);
     for (std::size_t w = 0; w < index.n.size(); ++w) add_wavelength(lanes, index, w, m);
 }
 
-KREDA_BATCH_LOOP void find_at_one_index(int lanes, const CookTorranceSetup& setup, MicrofacetChannels& m) {
+KREDA_BATCH_LOOP void set_at_one_index(int lanes, const CookTorranceSetup& setup, MicrofacetChannels& m) {
     with_fresnel(setup, [&](auto F) {
         for (int i = 0; i < lanes; ++i) {  // 11 formulas: a look-up in a table and a copy of F0 are none of them
             m.F.set(i, F(m.v_dot_h.at(i), m.f0.at(i)));
@@ -75,9 +75,9 @@ KREDA_BATCH_LOOP void find_at_one_index(int lanes, const CookTorranceSetup& setu
     });
 }
 
-void find_fresnel(int lanes, const CookTorranceSetup& setup, MicrofacetChannels& m) {
-    if (setup.fresnel == FresnelMethod::exact && setup.all_wavelengths) return find_spectral(lanes, setup.spectrum, m);
-    find_at_one_index(lanes, setup, m);
+void set_fresnel(int lanes, const CookTorranceSetup& setup, MicrofacetChannels& m) {
+    if (setup.fresnel == FresnelMethod::exact && setup.all_wavelengths) return set_spectral(lanes, setup.spectrum, m);
+    set_at_one_index(lanes, setup, m);
 }
 
 // ---------------------------------------------------------------------------------------------------------- sum
@@ -105,20 +105,20 @@ void fill_surface(int count, const CookTorranceSetup& setup, MicrofacetChannels&
     fill_constants(lanes_for(count), setup.surface, channels);
 }
 
-void find_viewing_angle(int count, LightingChannels& channels) {
-    find_n_dot_v(lanes_for(count), channels);
+void set_viewing_angle(int count, LightingChannels& channels) {
+    set_n_dot_v(lanes_for(count), channels);
 }
 
 void evaluate_microfacets(int count, const CookTorranceSetup& setup, LitBy lit_by, LightingChannels& channels) {
     const int lanes = lanes_for(count);
-    find_angles(lanes, channels);
-    find_distribution(lanes, setup.distribution, channels.microfacet);
-    find_visibility(lanes, setup.geometry, lit_by, channels.microfacet);
-    find_fresnel(lanes, setup, channels.microfacet);
+    set_angles(lanes, channels);
+    set_distribution(lanes, setup.distribution, channels.microfacet);
+    set_visibility(lanes, setup.geometry, lit_by, channels.microfacet);
+    set_fresnel(lanes, setup, channels.microfacet);
 }
 
 void evaluate_fresnel(int count, const CookTorranceSetup& setup, MicrofacetChannels& channels) {
-    find_fresnel(lanes_for(count), setup, channels);
+    set_fresnel(lanes_for(count), setup, channels);
 }
 
 void add_cook_torrance(int count, const CookTorranceSetup& setup, LightingChannels& channels) {

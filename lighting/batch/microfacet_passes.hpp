@@ -17,7 +17,7 @@ inline MicrofacetSurface surface_at(const MicrofacetChannels& m, int i) {
 }
 
 /// n.v, the same for all lights, from channels.n and channels.v.
-void find_viewing_angle(int count, LightingChannels& channels);
+void set_viewing_angle(int count, LightingChannels& channels);
 
 /// The other angles, D, V and F of the light in channels.l, channels.n_dot_l.
 void evaluate_microfacets(int count, const CookTorranceSetup& setup, LitBy lit_by, LightingChannels& channels);

@@ -87,12 +87,17 @@ inline void with_sigma(ReflectionModel model, Use use) {
     });
 }
 
-KREDA_BATCH_LOOP void find_sigma(int lanes, ReflectionModel model, LightingChannels& c) {
+KREDA_BATCH_LOOP void set_sigma(int lanes, ReflectionModel model, LightingChannels& c) {
     with_sigma(model, [&](auto Sigma) {
         for (int i = 0; i < lanes; ++i) {  // 2 formulas
             c.sigma.set(i, Sigma(c.n.at(i), c.l.at(i), c.v.at(i), c.n_dot_l.at(i)));
         }
     });
+}
+
+/// Blinn's Sigma where l and v, and so h, are the same at every point.
+KREDA_BATCH_LOOP void set_sigma_of_one_h(int lanes, glm::vec3 h, LightingChannels& c) {
+    for (int i = 0; i < lanes; ++i) c.sigma.set(i, sigma_blinn(c.n.at(i), h));
 }
 
 /// How many lanes have a highlight: they face the light, and their Sigma is above `least`.
@@ -135,7 +140,10 @@ KREDA_BATCH_LOOP void add_phong_terms(int lanes, const PhongMaterial& material, 
 
 /// Phong and Blinn-Phong: phong() and blinn_phong(), pass by pass.
 void add_highlights(int lanes, const Material& material, bool map, LightingChannels& c) {
-    find_sigma(lanes, material.model, c);
+    if (material.model == ReflectionModel::blinn_phong && c.one_l && c.one_v)
+        set_sigma_of_one_h(lanes, half_vector(c.l.at(0), c.v.at(0)), c);
+    else
+        set_sigma(lanes, material.model, c);
     if (any_highlight(lanes, material.phong.shininess, c))
         raise_sigma(lanes, material.phong.shininess, c);
     else
@@ -257,14 +265,15 @@ void apply_maps(const Fragments& fragments, const MaterialSetup& material, Light
     if (material.maps.emission.texture) add_emission_of_map(lanes, material.material.phong.emission, channels);
 }
 
-void find_directions(const Fragments& fragments, const MaterialSetup& material, const LightingSetup& setup,
-                     LightingChannels& channels) {
+void set_directions(const Fragments& fragments, const MaterialSetup& material, const LightingSetup& setup,
+                    LightingChannels& channels) {
     const int lanes = lanes_for(fragments.count);
     surface_directions(fragments, lanes, setup.eye, channels);
-    if (setup.orthographic) same_view_everywhere(lanes, -setup.forward, channels);
+    channels.one_v = setup.orthographic;
+    if (channels.one_v) same_view_everywhere(lanes, -setup.forward, channels);
     if (material.map_needs.tangent) bend_normals(fragments, material.maps, channels);
-    if (material.material.model == ReflectionModel::cook_torrance) find_viewing_angle(fragments.count, channels);
-    if (needs_grain(material.material)) find_grain(fragments.count, material.material.phong, channels);
+    if (material.material.model == ReflectionModel::cook_torrance) set_viewing_angle(fragments.count, channels);
+    if (needs_grain(material.material)) set_grain(fragments.count, material.material.phong, channels);
 }
 
 void start_lighting(const Fragments& fragments, const MaterialSetup& material, const LightingSetup& setup,
@@ -272,11 +281,12 @@ void start_lighting(const Fragments& fragments, const MaterialSetup& material, c
     start_surface(fragments, material, setup, channels);
     if (material.map_needs.uv) apply_maps(fragments, material, channels);
     if (material.material.model == ReflectionModel::unlit) return;
-    find_directions(fragments, material, setup, channels);
+    set_directions(fragments, material, setup, channels);
 }
 
 void sample_light(const Fragments& fragments, const LightSetup& light, LightingChannels& channels) {
     const int lanes = lanes_for(fragments.count);
+    channels.one_l = light.type == LightType::directional;
     switch (light.type) {
         case LightType::directional: return sample_directional_light(lanes, light, channels);
         case LightType::point: return sample_point_light(fragments, lanes, light, channels);

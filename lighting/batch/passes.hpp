@@ -40,7 +40,7 @@ struct LightingSetup {
 };
 
 // The lecture's equation,  radiance = ambient + sum over lights of shadow (diffuse + specular),  is these in turn:
-// start_surface; apply_maps where there are some; find_directions; add_environment where there is one; for each light
+// start_surface; apply_maps where there are some; set_directions; add_environment where there is one; for each light
 // sample_light, and where any_faces_light shadow_light (if it casts a shadow) and add_reflection; sum_terms.
 // scene/render/shade.cpp runs them.
 
@@ -53,8 +53,8 @@ void apply_maps(const raster::Fragments& fragments, const MaterialSetup& materia
 
 /// What the lights will need: n, v, and what the model makes of them. Not for unlit materials. Reads
 /// fragments.position, fragments.normal, and for normal maps the tangents.
-void find_directions(const raster::Fragments& fragments, const MaterialSetup& material, const LightingSetup& setup,
-                     LightingChannels& channels);
+void set_directions(const raster::Fragments& fragments, const MaterialSetup& material, const LightingSetup& setup,
+                    LightingChannels& channels);
 
 /// The three in turn, as far as the material needs them.
 void start_lighting(const raster::Fragments& fragments, const MaterialSetup& material, const LightingSetup& setup,

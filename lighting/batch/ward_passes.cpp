@@ -12,7 +12,7 @@ namespace {
 
 using raster::lanes_for;
 
-KREDA_BATCH_LOOP void find_tangents(int lanes, glm::vec3 grain, LightingChannels& c) {
+KREDA_BATCH_LOOP void set_tangents(int lanes, glm::vec3 grain, LightingChannels& c) {
     for (int i = 0; i < lanes; ++i) c.t.set(i, tangent_of_grain(grain, c.n.at(i)));
 }
 
@@ -36,8 +36,8 @@ KREDA_BATCH_LOOP void add_threads(int lanes, const PhongMaterial& material, bool
 
 }  // namespace
 
-void find_grain(int count, const PhongMaterial& material, LightingChannels& channels) {
-    find_tangents(lanes_for(count), glm::normalize(material.grain), channels);
+void set_grain(int count, const PhongMaterial& material, LightingChannels& channels) {
+    set_tangents(lanes_for(count), glm::normalize(material.grain), channels);
 }
 
 void add_ward(int count, const PhongMaterial& material, bool diffuse_from_map, LightingChannels& channels) {

@@ -7,7 +7,7 @@
 namespace kreda::lighting {
 
 /// channels.t from the material's grain and channels.n.
-void find_grain(int count, const PhongMaterial& material, LightingChannels& channels);
+void set_grain(int count, const PhongMaterial& material, LightingChannels& channels);
 
 /// Add what the light in channels.l, channels.irradiance reflects to channels.diffuse and channels.specular. With
 /// material.ward_alpha it reads channels.t, with diffuse_from_map channels.m_D.

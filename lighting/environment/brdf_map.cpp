@@ -32,7 +32,7 @@ void place_nodes(float roughness, RowScratch& row) {
         row.scale.set(i, 0.0f);
         row.bias.set(i, 0.0f);
     }
-    find_viewing_angle(kBrdfMapSize, c);
+    set_viewing_angle(kBrdfMapSize, c);
 }
 
 KREDA_BATCH_LOOP void reflect_at_facets(int lanes, glm::vec2 u, LightingChannels& c) {
@@ -68,7 +68,7 @@ float average_energy(const RowScratch& row) {
     return static_cast<float>(sum / kLast);
 }
 
-KREDA_BATCH_LOOP void find_taps(int lanes, const Channel& n_dot_v, const Channel& roughness, TapChannels& taps) {
+KREDA_BATCH_LOOP void set_taps(int lanes, const Channel& n_dot_v, const Channel& roughness, TapChannels& taps) {
     for (int i = 0; i < lanes; ++i) taps.set(i, brdf_tap(n_dot_v.at(i), roughness.at(i)));
 }
 
@@ -118,7 +118,7 @@ BrdfTerms look_up_brdf(const BrdfMap& map, float n_dot_v, float roughness) {
 
 void look_up_brdf(const BrdfMap& map, int lanes, const Channel& n_dot_v, const Channel& roughness, TapScratch& scratch,
                   raster::Channel3& brdf) {
-    find_taps(lanes, n_dot_v, roughness, scratch.taps[0]);
+    set_taps(lanes, n_dot_v, roughness, scratch.taps[0]);
     read_taps(map.texels.data(), lanes, 1, scratch);
     split_texels(lanes, scratch, brdf);
 }

@@ -56,14 +56,14 @@ inline LodInterval lod_interval(float lod, int last_level) {
     return {level, level < last_level ? level + 1 : level, clamped - static_cast<float>(level)};
 }
 
-KREDA_BATCH_LOOP void find_taps(int lanes, const CubeLevel& level, const raster::Channel3& d, TapChannels& taps) {
+KREDA_BATCH_LOOP void set_taps(int lanes, const CubeLevel& level, const raster::Channel3& d, TapChannels& taps) {
     const int size = level.size;
     const int offset = level.offset;
     for (int i = 0; i < lanes; ++i) taps.set(i, cube_tap(cube_point(d.at(i)), size, offset, 1.0f));
 }
 
-KREDA_BATCH_LOOP void find_trilinear_taps(int lanes, const LevelTable& levels, int last_level,
-                                          const raster::Channel3& d, const raster::Channel& lod, TapChannels* taps) {
+KREDA_BATCH_LOOP void set_trilinear_taps(int lanes, const LevelTable& levels, int last_level, const raster::Channel3& d,
+                                         const raster::Channel& lod, TapChannels* taps) {
     const LevelTable table = levels;  // a copy: through a reference the compiler fears that taps overwrite it
     TapChannels& finer = taps[0];
     TapChannels& coarser = taps[1];
@@ -76,8 +76,8 @@ KREDA_BATCH_LOOP void find_trilinear_taps(int lanes, const LevelTable& levels, i
 }
 
 /// The same where all points have one lod.
-KREDA_BATCH_LOOP void find_taps_between(int lanes, const CubeLevel& finer_level, const CubeLevel& coarser_level,
-                                        float share, const raster::Channel3& d, TapChannels* taps) {
+KREDA_BATCH_LOOP void set_taps_between(int lanes, const CubeLevel& finer_level, const CubeLevel& coarser_level,
+                                       float share, const raster::Channel3& d, TapChannels* taps) {
     const CubeLevel at_finer = finer_level, at_coarser = coarser_level;
     TapChannels& finer = taps[0];
     TapChannels& coarser = taps[1];
@@ -172,14 +172,14 @@ glm::vec3 sample_trilinear(const CubeMap& map, const glm::vec3& direction, float
 
 void sample_level(const CubeMap& map, int level, int lanes, const raster::Channel3& directions, TapScratch& scratch,
                   raster::Channel3& colors) {
-    find_taps(lanes, map.levels[static_cast<std::size_t>(level)], directions, scratch.taps[0]);
+    set_taps(lanes, map.levels[static_cast<std::size_t>(level)], directions, scratch.taps[0]);
     read_taps(map.texels.data(), lanes, 1, scratch);
     split_texels(lanes, scratch, colors);
 }
 
 void sample_trilinear(const CubeMap& map, int lanes, const raster::Channel3& directions, const raster::Channel& lod,
                       TapScratch& scratch, raster::Channel3& colors) {
-    find_trilinear_taps(lanes, table_of(map), map.last_level(), directions, lod, scratch.taps);
+    set_trilinear_taps(lanes, table_of(map), map.last_level(), directions, lod, scratch.taps);
     read_taps(map.texels.data(), lanes, 2, scratch);
     split_texels(lanes, scratch, colors);
 }
@@ -187,8 +187,8 @@ void sample_trilinear(const CubeMap& map, int lanes, const raster::Channel3& dir
 void sample_trilinear(const CubeMap& map, int lanes, const raster::Channel3& directions, float lod, TapScratch& scratch,
                       raster::Channel3& colors) {
     const LodInterval between = lod_interval(lod, map.last_level());
-    find_taps_between(lanes, map.levels[static_cast<std::size_t>(between.level)],
-                      map.levels[static_cast<std::size_t>(between.next)], between.share, directions, scratch.taps);
+    set_taps_between(lanes, map.levels[static_cast<std::size_t>(between.level)],
+                     map.levels[static_cast<std::size_t>(between.next)], between.share, directions, scratch.taps);
     read_taps(map.texels.data(), lanes, 2, scratch);
     split_texels(lanes, scratch, colors);
 }

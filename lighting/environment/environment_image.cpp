@@ -73,8 +73,8 @@ struct ProjectionScratch {
     TapScratch taps;
 };
 
-KREDA_BATCH_LOOP void find_directions(int lanes, RowOfTexels r, float within_x, float within_y,
-                                      const Placement& placement, ProjectionScratch& scratch) {
+KREDA_BATCH_LOOP void set_directions(int lanes, RowOfTexels r, float within_x, float within_y,
+                                     const Placement& placement, ProjectionScratch& scratch) {
     const float cos_rotation = placement.cos_rotation;
     const float sin_rotation = placement.sin_rotation;
     const float scale = 1.0f / static_cast<float>(r.size);
@@ -115,29 +115,29 @@ inline TexelTap equirect_tap(const glm::vec3& d, int width, int height) {
     return bilinear_tap(top * row + 4 * left, row, x - static_cast<float>(left), y - static_cast<float>(top), 1.0f);
 }
 
-KREDA_BATCH_LOOP void find_equirect_taps(int lanes, int image_width, int image_height, const Channel3& d,
-                                         TapChannels& taps) {
+KREDA_BATCH_LOOP void set_equirect_taps(int lanes, int image_width, int image_height, const Channel3& d,
+                                        TapChannels& taps) {
     const int width = image_width, height = image_height;
     for (int i = 0; i < lanes; ++i) taps.set(i, equirect_tap(d.at(i), width, height));
 }
 
-KREDA_BATCH_LOOP void find_studio(int lanes, const Channel3& d, Channel3& color) {
+KREDA_BATCH_LOOP void set_studio(int lanes, const Channel3& d, Channel3& color) {
     for (int i = 0; i < lanes; ++i) color.set(i, studio_sky(d.at(i)));
 }
 
-KREDA_BATCH_LOOP void find_sunset(int lanes, const Channel3& d, Channel3& color) {
+KREDA_BATCH_LOOP void set_sunset(int lanes, const Channel3& d, Channel3& color) {
     for (int i = 0; i < lanes; ++i) color.set(i, sunset_sky(d.at(i)));
 }
 
-KREDA_BATCH_LOOP void find_gradient(int lanes, const Channel3& d, Channel3& color) {
+KREDA_BATCH_LOOP void set_gradient(int lanes, const Channel3& d, Channel3& color) {
     for (int i = 0; i < lanes; ++i) color.set(i, gradient_sky(d.at(i)));
 }
 
-void find_sky(int lanes, Sky sky, const Channel3& d, Channel3& color) {
+void set_sky(int lanes, Sky sky, const Channel3& d, Channel3& color) {
     switch (sky) {
-        case Sky::studio: return find_studio(lanes, d, color);
-        case Sky::sunset: return find_sunset(lanes, d, color);
-        case Sky::gradient: return find_gradient(lanes, d, color);
+        case Sky::studio: return set_studio(lanes, d, color);
+        case Sky::sunset: return set_sunset(lanes, d, color);
+        case Sky::gradient: return set_gradient(lanes, d, color);
     }
 }
 
@@ -159,7 +159,7 @@ void project(CubeMap& map, int n, const Placement& placement, const Progress& pr
                 for (int k = 0; k < n * n; ++k) {
                     const float within_x = (static_cast<float>(k % n) + 0.5f) / static_cast<float>(n);
                     const float within_y = (static_cast<float>(k / n) + 0.5f) / static_cast<float>(n);
-                    find_directions(lanes, texels, within_x, within_y, placement, *scratch);
+                    set_directions(lanes, texels, within_x, within_y, placement, *scratch);
                     look_up(lanes, *scratch);
                     add_colors(lanes, *scratch);
                 }
@@ -229,7 +229,7 @@ CubeMap cube_from_equirect(const Image& image, int size, const Placement& placem
     const int n = directions_for(image.width, image.height, size);
     CubeMap map = make_cube_map(mip_sizes(size));
     project(map, n, placement, progress, [&](int lanes, ProjectionScratch& scratch) {
-        find_equirect_taps(lanes, source.width, source.height, scratch.direction, scratch.taps.taps[0]);
+        set_equirect_taps(lanes, source.width, source.height, scratch.direction, scratch.taps.taps[0]);
         read_taps(source.texels.data(), lanes, 1, scratch.taps);
         split_texels(lanes, scratch.taps, scratch.color);
     });
@@ -240,7 +240,7 @@ CubeMap cube_from_equirect(const Image& image, int size, const Placement& placem
 CubeMap cube_from_sky(Sky sky, int size, const Placement& placement, const Progress& progress) {
     CubeMap map = make_cube_map(mip_sizes(size));
     project(map, kSkyDirections, placement, progress,
-            [&](int lanes, ProjectionScratch& scratch) { find_sky(lanes, sky, scratch.direction, scratch.color); });
+            [&](int lanes, ProjectionScratch& scratch) { set_sky(lanes, sky, scratch.direction, scratch.color); });
     fill_mip_levels(map);
     return map;
 }

@@ -23,13 +23,16 @@ namespace {
 struct Pipe {
     int ends[2] = {-1, -1};
 
-    Pipe() {
-        if (pipe(ends) != 0) throw std::system_error(errno, std::generic_category(), "no pipe");
+    Pipe() = default;
+    /// False: errno says why not.
+    bool open_both() {
+        if (pipe(ends) != 0) return false;
         for (const int end : ends) fcntl(end, F_SETFD, FD_CLOEXEC);
 #if defined(F_SETPIPE_SZ)
         constexpr int kBytes = 1 << 20;  // fewer changes from one process to the other; a smaller pipe works, too
         fcntl(ends[1], F_SETPIPE_SZ, kBytes);
 #endif
+        return true;
     }
     ~Pipe() {
         close_end(0);
@@ -104,13 +107,22 @@ int wait_for(pid_t child) {
 ChildEnd run_in_child(const ChildLimits& limits, const std::function<void(int)>& send,
                       const std::function<bool(int)>& receive) {
     Pipe pipe;
-    const pid_t child = fork();
-    if (child < 0) throw std::system_error(errno, std::generic_category(), "no process can be started");
-    if (child == 0) {
-        pipe.close_end(0);
-        run_child(limits, send, pipe.ends[1]);
+    pid_t child = -1;
+    int failure = 0;
+    // One thread at a time: a child that is forked meanwhile would inherit the end to write to, and keep it open.
+#if defined(_OPENMP)
+#pragma omp critical(start_child)
+#endif
+    {
+        child = pipe.open_both() ? fork() : -1;
+        failure = errno;
+        if (child == 0) {
+            pipe.close_end(0);
+            run_child(limits, send, pipe.ends[1]);
+        }
+        pipe.close_end(1);
     }
-    pipe.close_end(1);
+    if (child < 0) throw std::system_error(failure, std::generic_category(), "no process can be started");
     ChildEnd end;
     try {
         end.is_whole = receive(pipe.ends[0]);

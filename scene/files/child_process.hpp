@@ -21,8 +21,8 @@ struct ChildEnd {
 
 /// Run `send` in a child process, which writes into the pipe that it is given, and `receive` here, which reads from it
 /// and gives back whether that was whole. The child has copies of everything; what it changes is lost, and what it
-/// prints as well. Only the calling thread goes on in the child: `send` must not use threads that were started before.
-/// Throws std::system_error when no process can be started.
+/// prints as well. Threads may call it side by side. Only the calling thread goes on in the child: `send` must not use
+/// threads that were started before. Throws std::system_error when no process can be started.
 [[nodiscard]] ChildEnd run_in_child(const ChildLimits& limits, const std::function<void(int)>& send,
                                     const std::function<bool(int)>& receive);
 

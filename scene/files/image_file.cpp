@@ -199,7 +199,7 @@ std::string_view icc_profile(const OIIO::ImageSpec& spec) {
 /// Floats are linear. Integers are sRGB unless the file says that they are linear or a power: PNG's gAMA does. 2.2 is
 /// how a PNG without an sRGB chunk says sRGB (PNG specification, 11.3.2.5); PNM's
 /// Rec709 is taken for it, as all programs do.
-void find_encoding(const OIIO::ImageSpec& spec, StoredImage& stored) {
+void read_encoding(const OIIO::ImageSpec& spec, StoredImage& stored) {
     if (stored.bits == 0) return;
     stored.encoding = Encoding::srgb;
     std::string space(spec.get_string_attribute("oiio:ColorSpace"));
@@ -218,7 +218,7 @@ void find_encoding(const OIIO::ImageSpec& spec, StoredImage& stored) {
 }
 
 /// Names and the place of alpha; GIF's reader places it behind the last channel, and TIFF's calls grey red.
-void find_channels(const OIIO::ImageSpec& spec, StoredImage& stored) {
+void read_channels(const OIIO::ImageSpec& spec, StoredImage& stored) {
     stored.channels.assign(spec.channelnames.begin(), spec.channelnames.end());
     stored.channels.resize(static_cast<std::size_t>(spec.nchannels), "unnamed");
     stored.alpha = spec.alpha_channel;
@@ -315,8 +315,8 @@ StoredImage read_with_oiio(const std::string& path, const ImageReadOptions& opti
     if (input.has_error()) judge_complaint(path, reason_of(input.geterror(), "it is cut off"), stored);
     remark_parts(path, input, stored);
     stored.bits = bits_of(spec);
-    find_encoding(spec, stored);
-    find_channels(spec, stored);
+    read_encoding(spec, stored);
+    read_channels(spec, stored);
     stored.image = upright(display_window(spec, data), orientation_of(path, opened, stored));
     divide_by_multiplier(stored.image, opened.radiance);
     if (stored.alpha >= 0 && is_multiplied_by_alpha(input, spec)) {

@@ -34,6 +34,7 @@ struct ObjectTable {
     std::string material;  ///< empty: the mesh's own
     ObjectPlacement placement;
     bool casts_shadow = true;
+    bool on = true;
 };
 
 // Numbers outside of these are refused.

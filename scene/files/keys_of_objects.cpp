@@ -178,6 +178,7 @@ const std::vector<Key<ObjectTable>>& object_keys() {
             own_row<T>("hide", KeyType::texts, "parts (OBJ groups or objects) that are not drawn",
                        {.example = "[\"lid\"]", .by_default = "[]"}),
             row<T>("casts_shadow", &T::casts_shadow, "whether it throws shadows; it receives them anyway"),
+            row<T>("on", &T::on, "whether it is there; if not, its mesh is not even read"),
         });
     return keys;
 }

@@ -1,8 +1,9 @@
 #include "scene/files/load_maps.hpp"
 
 #include <algorithm>
+#include <bit>
 #include <cmath>
-#include <filesystem>
+#include <exception>
 #include <map>
 #include <tuple>
 
@@ -12,6 +13,7 @@
 #include "raster/film.hpp"
 #include "scene/files/image_color.hpp"
 #include "scene/files/image_file.hpp"
+#include "scene/files/loaded_files.hpp"
 #include "scene/files/toml_tree.hpp"
 #include "scene/map_meshes.hpp"
 
@@ -135,25 +137,25 @@ bool looks_like_normals(const raster::Image& image) {
     return 10 * blue > 9 * image.plane_size();
 }
 
-/// A file read in one way, and whether some material needs its pyramid.
-struct Wanted {
-    bool with_pyramid = false;
-    std::shared_ptr<const raster::Texture> texture;
-};
 /// The file, what it means, and how heights become normals (bump scale, wrap); 0 where they are none.
 using ReadWay = std::tuple<std::string, MapKind, float, int>;
-using WantedFiles = std::map<ReadWay, Wanted>;
 
-/// One name for a file, however the scene writes it.
-std::string canonical(const std::string& path) {
-    std::error_code failed;
-    const std::filesystem::path real = std::filesystem::weakly_canonical(path, failed);
-    return failed ? path : real.string();
-}
+/// A file that is to be read in one way, and what came of it.
+struct Wanted {
+    std::string path;  ///< as the first map names it
+    lighting::MaterialMaps maps;
+    bool is_height = false;
+    bool with_pyramid = false;  ///< some material needs it
+    std::shared_ptr<const LoadedTexture> loaded;
+    std::vector<UsedFile> from;
+    std::exception_ptr failure;
+    bool is_told = false;  ///< its warnings
+};
+using WantedFiles = std::map<ReadWay, Wanted>;
 
 ReadWay way_of(const lighting::MaterialMaps& maps, const lighting::MapUse& use) {
     const bool is_height = use.kind == MapKind::normal && maps.normal_from_height;
-    return {canonical((maps.*use.map).file), use.kind, is_height ? maps.bump_scale : 0.0f,
+    return {canonical_path((maps.*use.map).file), use.kind, is_height ? maps.bump_scale : 0.0f,
             is_height ? 1 + static_cast<int>(maps.wrap) : 0};
 }
 
@@ -191,6 +193,50 @@ void for_each_wanted(Scene& scene, const std::vector<bool>& materials, Visit vis
     }
 }
 
+/// Read and decode one file. What is wrong with it is kept until it is its turn to be told.
+void load(const MapKind kind, Wanted& wanted) {
+    try {
+        LoadedTexture loaded;
+        wanted.from.push_back(use_file(wanted.path));
+        if (wanted.is_height) {
+            const raster::Image normals = normals_of_bump(wanted.path, wanted.maps, loaded.warnings);
+            loaded.texture = std::make_shared<raster::Texture>(raster::make_texture(normals, wanted.with_pyramid));
+        } else {
+            loaded.texture = load_texture(wanted.path, kind, wanted.with_pyramid, loaded.warnings);
+        }
+        wanted.loaded = std::make_shared<const LoadedTexture>(std::move(loaded));
+    } catch (...) { wanted.failure = std::current_exception(); }
+}
+
+std::string key_of(const ReadWay& way, const Wanted& wanted) {
+    const auto& [path, kind, scale, wrap] = way;
+    return path + " kind " + std::to_string(static_cast<int>(kind)) + " heights " + std::to_string(wrap) + " " +
+           std::to_string(std::bit_cast<std::uint32_t>(scale)) + (wanted.with_pyramid ? " pyramid" : "");
+}
+
+/// All files that are not kept already, side by side.
+void load_wanted(WantedFiles& wanted_files, LoadedFiles* files) {
+    std::vector<std::pair<const ReadWay*, Wanted*>> missing;
+    for (auto& [way, wanted] : wanted_files) {
+        if (files) wanted.loaded = find_kept(*files, &LoadedFiles::textures, key_of(way, wanted));
+        if (!wanted.loaded) missing.emplace_back(&way, &wanted);
+    }
+    const int count = static_cast<int>(missing.size());
+#pragma omp parallel for schedule(dynamic) if (count > 1)
+    for (int i = 0; i < count; ++i) {
+        const auto [way, wanted] = missing[static_cast<std::size_t>(i)];
+        load(std::get<MapKind>(*way), *wanted);
+    }
+    for (const auto& [way, wanted] : missing) {
+        if (!files) continue;
+        if (wanted->loaded) {
+            keep(*files, &LoadedFiles::textures, key_of(*way, *wanted), wanted->loaded, wanted->from);
+        } else {
+            files->used.insert(files->used.end(), wanted->from.begin(), wanted->from.end());
+        }
+    }
+}
+
 }  // namespace
 
 std::shared_ptr<const raster::Texture> load_texture(const std::string& path, MapKind kind, bool with_pyramid,
@@ -199,25 +245,29 @@ std::shared_ptr<const raster::Texture> load_texture(const std::string& path, Map
     return std::make_shared<raster::Texture>(raster::make_texture(decoded, with_pyramid));
 }
 
-void load_maps(Scene& scene, const std::vector<bool>& materials) {
-    WantedFiles files;
+void load_maps(Scene& scene, const std::vector<bool>& materials, LoadedFiles* files) {
+    WantedFiles wanted_files;
     for_each_wanted(scene, materials,
-                    [&](const lighting::Material& material, const lighting::MapUse& use, lighting::Map&) {
-                        Wanted& wanted = files[way_of(material.maps, use)];
+                    [&](const lighting::Material& material, const lighting::MapUse& use, const lighting::Map& map) {
+                        Wanted& wanted = wanted_files[way_of(material.maps, use)];
                         wanted.with_pyramid |= material.maps.filter == lighting::TextureFilter::trilinear;
+                        if (!wanted.path.empty()) return;
+                        wanted.path = map.file;
+                        wanted.maps = material.maps;
+                        wanted.is_height = use.kind == MapKind::normal && material.maps.normal_from_height;
                     });
-    for_each_wanted(
-        scene, materials, [&](const lighting::Material& material, const lighting::MapUse& use, lighting::Map& map) {
-            Wanted& wanted = files[way_of(material.maps, use)];
-            const bool is_height = use.kind == MapKind::normal && material.maps.normal_from_height;
-            if (!wanted.texture && is_height) {
-                const raster::Image normals = normals_of_bump(map.file, material.maps, scene.warnings);
-                wanted.texture = std::make_shared<raster::Texture>(raster::make_texture(normals, wanted.with_pyramid));
-            }
-            if (!wanted.texture) wanted.texture = load_texture(map.file, use.kind, wanted.with_pyramid, scene.warnings);
-            map.texture = wanted.texture;
-        });
-    add_tangents(scene);
+    load_wanted(wanted_files, files);
+    for_each_wanted(scene, materials,
+                    [&](const lighting::Material& material, const lighting::MapUse& use, lighting::Map& map) {
+                        Wanted& wanted = wanted_files[way_of(material.maps, use)];
+                        if (wanted.failure) std::rethrow_exception(wanted.failure);
+                        const std::vector<std::string>& told = wanted.loaded->warnings;
+                        if (!wanted.is_told) scene.warnings.insert(scene.warnings.end(), told.begin(), told.end());
+                        wanted.is_told = true;
+                        map.texture = wanted.loaded->texture;
+                    });
+    TangentMeshes made;
+    add_tangents(scene, files ? files->tangents : made);
 }
 
 }  // namespace kreda::scene

@@ -11,6 +11,8 @@
 
 namespace kreda::scene {
 
+struct LoadedFiles;
+
 /// Load an image as a map: color as linear light (8 or 16 bits are sRGB unless the file says else, floats linear
 /// already), value the red or grey channel, normal from 0..1 to -1..1 (lighting::normal_component). Grey files give
 /// three equal channels where three are needed; alpha is left out, colours are not multiplied by it. Channels of other
@@ -20,9 +22,9 @@ namespace kreda::scene {
                                                                   bool with_pyramid,
                                                                   std::vector<std::string>& warnings);
 
-/// Load the maps that these materials (by number) read, each file once, and give meshes the tangents that normal maps
-/// need. Other files are not touched. Texels that are there already stay. After drop_maps_without_uv(). Warnings go to
-/// scene.warnings. Throws UserError.
-void load_maps(Scene& scene, const std::vector<bool>& materials);
+/// Load the maps that these materials (by number) read, each file once and several side by side, and give meshes the
+/// tangents that normal maps need. Other files are not touched. Texels that are there already stay. After
+/// drop_maps_without_uv(). files: what is kept, or nullptr. Warnings go to scene.warnings. Throws UserError.
+void load_maps(Scene& scene, const std::vector<bool>& materials, LoadedFiles* files = nullptr);
 
 }  // namespace kreda::scene

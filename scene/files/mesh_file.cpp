@@ -1,12 +1,10 @@
-// From an OBJ file to a mesh: read and scan the text, let the library parse it, triangulate, find normals, share
-// vertices.
+// From an OBJ file to a mesh: read and scan the text, triangulate, find normals, share vertices.
 #include "scene/files/mesh_file.hpp"
 
 #include <algorithm>
 #include <cmath>
 #include <span>
 #include <sstream>
-#include <unordered_map>
 #include <utility>
 
 #include <glm/geometric.hpp>
@@ -16,18 +14,12 @@
 #include "raster/polygon.hpp"
 #include "scene/files/mtl_file.hpp"
 #include "scene/files/obj_centre.hpp"
-#include "scene/files/obj_polygons.hpp"
 #include "scene/files/obj_scan.hpp"
+#include "scene/files/share_vertices.hpp"
 
 namespace kreda::scene {
 
 namespace {
-
-struct Triangles {
-    std::vector<ObjCorner> corners;               // three a triangle
-    std::vector<std::uint32_t> smoothing_groups;  // one a triangle
-    std::vector<raster::MeshPart> parts;
-};
 
 // ---- materials -------------------------------------------------------------------------------------------------
 
@@ -39,7 +31,9 @@ struct MaterialReader {
 
     void add(const ObjName& library, const std::string& name) {
         const std::string path = find_named_file(obj, library.offset, name, limits, "material file", "", warnings);
-        if (!path.empty()) add_mtl(read_obj_text(path), limits, materials);
+        if (path.empty()) return;
+        limits.used->push_back(use_file(path));
+        add_mtl(read_obj_text(path), limits, materials);
     }
 };
 
@@ -87,8 +81,8 @@ void settle_missing(const ObjScan& scan, MaterialReader& reader) {
     }
 }
 
-MtlMaterials read_materials(const ObjText& obj, const ObjScan& scan, bool allow_outside) {
-    MaterialReader reader{obj, {folder_of(obj.file), allow_outside}, ObjWarnings(obj), {}};
+MtlMaterials read_materials(const ObjText& obj, const ObjScan& scan, bool allow_outside, std::vector<UsedFile>& used) {
+    MaterialReader reader{obj, {folder_of(obj.file), allow_outside, &used}, ObjWarnings(obj), {}};
     for (const ObjName& library : scan.material_files) read_material_file(library, reader);
     settle_missing(scan, reader);
     const std::vector<std::string> lines = reader.warnings.lines();
@@ -104,32 +98,34 @@ bool has_corner_twice(const ObjCorner& a, const ObjCorner& b, const ObjCorner& c
 }
 
 struct Triangulation {
-    Triangles triangles;
+    CornerTriangles triangles;
     std::size_t bad_polygons = 0;
     std::size_t first_bad_offset = 0;
 };
 
-void add_polygon(const ObjPolygons& obj, std::size_t polygon, const ObjFaceOrigin& origin, Triangulation& out) {
-    const std::size_t first = obj.first_corner[polygon];
-    const std::span<const ObjCorner> corners =
-        std::span(obj.corners).subspan(first, obj.first_corner[polygon + 1] - first);
-    PolygonTriangles cut{{0, 1, 2}, true};
-    if (corners.size() > 3) {
-        std::vector<glm::vec3> outline;
-        for (const ObjCorner& corner : corners) outline.push_back(obj.positions[std::size_t(corner.position)]);
-        cut = triangulate_polygon(outline);
+void add_triangle(const ObjCorner& a, const ObjCorner& b, const ObjCorner& c, std::uint32_t smoothing_group,
+                  CornerTriangles& triangles) {
+    if (has_corner_twice(a, b, c)) return;
+    triangles.corners.insert(triangles.corners.end(), {a, b, c});
+    triangles.smoothing_groups.push_back(smoothing_group);
+}
+
+void add_polygon(std::span<const ObjCorner> corners, const MeshArrays& arrays, const ObjFace& face,
+                 Triangulation& out) {
+    if (corners.size() == 3) {
+        return add_triangle(corners[0], corners[1], corners[2], face.smoothing_group, out.triangles);
     }
-    if (!cut.area_agrees && out.bad_polygons++ == 0) out.first_bad_offset = origin.offset;
+    std::vector<glm::vec3> outline;
+    for (const ObjCorner& corner : corners) outline.push_back(arrays.positions[std::size_t(corner.position)]);
+    const PolygonTriangles cut = triangulate_polygon(outline);
+    if (!cut.area_agrees && out.bad_polygons++ == 0) out.first_bad_offset = face.offset;
     for (std::size_t i = 0; i < cut.corners.size(); i += 3) {
-        const ObjCorner &a = corners[cut.corners[i]], &b = corners[cut.corners[i + 1]],
-                        &c = corners[cut.corners[i + 2]];
-        if (has_corner_twice(a, b, c)) continue;
-        out.triangles.corners.insert(out.triangles.corners.end(), {a, b, c});
-        out.triangles.smoothing_groups.push_back(origin.smoothing_group);
+        add_triangle(corners[cut.corners[i]], corners[cut.corners[i + 1]], corners[cut.corners[i + 2]],
+                     face.smoothing_group, out.triangles);
     }
 }
 
-std::uint32_t count(const Triangles& triangles) {
+std::uint32_t count(const CornerTriangles& triangles) {
     return static_cast<std::uint32_t>(triangles.smoothing_groups.size());
 }
 
@@ -138,65 +134,28 @@ int material_index(const MtlMaterials& materials, const std::string& name) {
     return found == materials.index_of_name.end() ? -1 : found->second;
 }
 
-Triangulation triangulate(const ObjPolygons& obj, const ObjScan& scan, const MtlMaterials& materials) {
+std::span<const ObjCorner> corners_of(const ObjScan& scan, std::size_t face) {
+    const std::size_t first = scan.faces[face].first_corner;
+    const bool is_last = face + 1 == scan.faces.size();
+    const std::size_t end = is_last ? scan.corners.size() : scan.faces[face + 1].first_corner;
+    return std::span(scan.corners).subspan(first, end - first);
+}
+
+Triangulation triangulate(const ObjScan& scan, const MeshArrays& arrays, const MtlMaterials& materials) {
     Triangulation out;
-    for (std::size_t i = 0; i < obj.runs.size(); ++i) {
-        const ObjRun& run = obj.runs[i];
-        const std::size_t end = i + 1 < obj.runs.size() ? obj.runs[i + 1].first_polygon : scan.faces.size();
+    out.triangles.corners.reserve(scan.corners.size());
+    out.triangles.smoothing_groups.reserve(scan.faces.size());
+    for (std::size_t i = 0; i < scan.runs.size(); ++i) {
+        const ObjRun& run = scan.runs[i];
+        const std::size_t end = i + 1 < scan.runs.size() ? scan.runs[i + 1].first_face : scan.faces.size();
         raster::MeshPart part{run.name, count(out.triangles), 0, material_index(materials, run.material)};
-        for (std::size_t p = run.first_polygon; p < end; ++p) add_polygon(obj, p, scan.faces[p], out);
+        for (std::size_t f = run.first_face; f < end; ++f) {
+            add_polygon(corners_of(scan, f), arrays, scan.faces[f], out);
+        }
         part.triangle_count = count(out.triangles) - part.first_triangle;
         if (part.triangle_count > 0) out.triangles.parts.push_back(part);
     }
     return out;
-}
-
-// ---- vertices --------------------------------------------------------------------------------------------------
-
-struct CornerOfPart {
-    ObjCorner corner;
-    std::uint32_t part = 0;
-    bool operator==(const CornerOfPart&) const = default;
-};
-
-struct CornerHash {
-    std::size_t operator()(const CornerOfPart& key) const {
-        const ObjCorner& c = key.corner;
-        std::uint64_t h = std::uint64_t{key.part} << 32 | static_cast<std::uint32_t>(c.position);
-        h = h * 0x9e3779b97f4a7c15u + static_cast<std::uint32_t>(c.uv);
-        h = (h ^ (h >> 29)) * 0xbf58476d1ce4e5b9u + static_cast<std::uint32_t>(c.normal);
-        h = (h ^ (h >> 32)) * 0x94d049bb133111ebu;
-        return h ^ (h >> 29);
-    }
-};
-
-/// One vertex for each different corner of a part, in the order of first use; what no triangle uses is left out. No
-/// vertex belongs to two parts, because parts differ in their material: Gouraud lights each vertex with one.
-raster::Mesh share_vertices(const ObjPolygons& obj, const Triangles& triangles) {
-    const auto has = [&](int ObjCorner::*index) {
-        return std::any_of(triangles.corners.begin(), triangles.corners.end(),
-                           [&](const ObjCorner& c) { return c.*index >= 0; });
-    };
-    const bool has_uvs = has(&ObjCorner::uv), has_normals = has(&ObjCorner::normal);
-    raster::Mesh mesh;
-    mesh.parts = triangles.parts;
-    mesh.indices.reserve(triangles.corners.size());
-    std::unordered_map<CornerOfPart, std::uint32_t, CornerHash> vertex_of_corner;
-    vertex_of_corner.reserve(obj.positions.size());
-    for (std::uint32_t p = 0; p < mesh.parts.size(); ++p) {
-        const raster::MeshPart& part = mesh.parts[p];
-        const auto corners = std::span(triangles.corners).subspan(3 * std::size_t(part.first_triangle));
-        for (const ObjCorner& c : corners.first(3 * std::size_t(part.triangle_count))) {
-            const auto [vertex, is_new] =
-                vertex_of_corner.try_emplace({c, p}, static_cast<std::uint32_t>(mesh.positions.size()));
-            mesh.indices.push_back(vertex->second);
-            if (!is_new) continue;
-            mesh.positions.push_back(obj.positions[std::size_t(c.position)]);
-            if (has_uvs) mesh.uvs.push_back(c.uv >= 0 ? obj.uvs[std::size_t(c.uv)] : glm::vec2(0.0f));
-            if (has_normals) mesh.normals.push_back(obj.normals[std::size_t(c.normal)]);
-        }
-    }
-    return mesh;
 }
 
 // ---- normals ---------------------------------------------------------------------------------------------------
@@ -214,10 +173,10 @@ std::size_t normalize_normals(std::vector<glm::vec3>& normals) {
 }
 
 /// Returns how many corners have no normal now.
-std::size_t forget_normals(const ObjPolygons& obj, bool all, std::vector<ObjCorner>& corners) {
+std::size_t forget_normals(const MeshArrays& arrays, bool all, std::vector<ObjCorner>& corners) {
     std::size_t missing = 0;
     for (ObjCorner& corner : corners) {
-        const bool is_usable = corner.normal >= 0 && obj.normals[std::size_t(corner.normal)] != glm::vec3(0.0f);
+        const bool is_usable = corner.normal >= 0 && arrays.normals[std::size_t(corner.normal)] != glm::vec3(0.0f);
         if (all || !is_usable) corner.normal = -1;
         missing += corner.normal < 0 ? 1 : 0;
     }
@@ -225,43 +184,43 @@ std::size_t forget_normals(const ObjPolygons& obj, bool all, std::vector<ObjCorn
 }
 
 /// Smooth normals for the corners without one, added to the file's: by the file's smoothing groups if it has any.
-void make_missing_normals(const ObjScan& scan, const std::optional<float>& crease, ObjPolygons& obj,
-                          Triangles& triangles) {
-    Triangles bare = triangles;
+void make_missing_normals(bool has_smoothing_groups, const std::optional<float>& crease, MeshArrays& arrays,
+                          CornerTriangles& triangles) {
+    CornerTriangles bare = triangles;
     for (ObjCorner& corner : bare.corners) corner.normal = -1;
-    raster::Mesh mesh = share_vertices(obj, bare);
+    raster::Mesh mesh = share_vertices(arrays, bare);
     if (crease) {
         raster::make_smooth_normals(mesh, *crease);
-    } else if (scan.has_smoothing_groups) {
+    } else if (has_smoothing_groups) {
         raster::make_smooth_normals_by_group(mesh, bare.smoothing_groups);
     } else {
         raster::make_smooth_normals_without_specks(mesh);
     }
-    const std::size_t first_made = obj.normals.size();
-    obj.normals.insert(obj.normals.end(), mesh.normals.begin(), mesh.normals.end());
+    const std::size_t first_made = arrays.normals.size();
+    arrays.normals.insert(arrays.normals.end(), mesh.normals.begin(), mesh.normals.end());
     for (std::size_t i = 0; i < triangles.corners.size(); ++i) {
         int& normal = triangles.corners[i].normal;
         if (normal < 0) normal = static_cast<int>(first_made + mesh.indices[i]);
     }
 }
 
-raster::Mesh build_mesh(const ObjScan& scan, const MeshFileOptions& options, ObjPolygons& obj, Triangles& triangles,
-                        std::vector<std::string>& warnings, const std::string& file) {
+raster::Mesh build_mesh(bool has_smoothing_groups, const MeshFileOptions& options, MeshArrays& arrays,
+                        CornerTriangles& triangles, std::vector<std::string>& warnings, const std::string& file) {
     const Normals normals = options.normals;
-    const std::size_t unusable = normalize_normals(obj.normals);
-    const std::size_t missing = forget_normals(obj, normals != Normals::file, triangles.corners);
+    const std::size_t unusable = normalize_normals(arrays.normals);
+    const std::size_t missing = forget_normals(arrays, normals != Normals::file, triangles.corners);
     if (normals == Normals::file && unusable > 0) {
         warnings.push_back(
             UserError(Place{file}, std::to_string(unusable) + " normals have no length; smooth ones are used instead")
                 .what());
     }
     if (normals == Normals::flat) {
-        raster::Mesh mesh = share_vertices(obj, triangles);
+        raster::Mesh mesh = share_vertices(arrays, triangles);
         raster::make_flat_normals(mesh);
         return mesh;
     }
-    if (missing > 0) make_missing_normals(scan, options.crease, obj, triangles);
-    return share_vertices(obj, triangles);
+    if (missing > 0) make_missing_normals(has_smoothing_groups, options.crease, arrays, triangles);
+    return share_vertices(arrays, triangles);
 }
 
 }  // namespace
@@ -271,13 +230,13 @@ LoadedMesh load_mesh_file(const std::string& path, const MeshFileOptions& option
     if (!other.empty()) throw UserError(Place{path}, other);
     const ObjText text = read_obj_text(path);
     ObjScan scan = scan_obj(text);
-    MtlMaterials materials = read_materials(text, scan, options.allow_outside);
-    ObjPolygons obj = read_polygons(text, scan);
-    const MeshFrame frame = keep_about_centre(scan, obj);
-    Triangulation cut = triangulate(obj, scan, materials);
+    LoadedMesh loaded;
+    MtlMaterials materials = read_materials(text, scan, options.allow_outside, loaded.other_files);
+    MeshArrays arrays{{}, std::move(scan.uvs), std::move(scan.normals)};
+    const MeshFrame frame = keep_about_centre(scan, arrays.positions);
+    Triangulation cut = triangulate(scan, arrays, materials);
     if (count(cut.triangles) == 0) throw UserError(Place{path}, "holds no triangle; all its faces use a corner twice");
 
-    LoadedMesh loaded;
     loaded.warnings = std::move(scan.warnings);
     loaded.warnings.insert(loaded.warnings.end(), materials.warnings.begin(), materials.warnings.end());
     if (cut.bad_polygons > 0) {
@@ -285,7 +244,7 @@ LoadedMesh load_mesh_file(const std::string& path, const MeshFileOptions& option
             warning_at(text, cut.first_bad_offset,
                        "this face crosses itself or has no area; such faces: " + std::to_string(cut.bad_polygons)));
     }
-    loaded.mesh = build_mesh(scan, options, obj, cut.triangles, loaded.warnings, path);
+    loaded.mesh = build_mesh(scan.has_smoothing_groups, options, arrays, cut.triangles, loaded.warnings, path);
     loaded.mesh.origin = frame.origin;
     loaded.mesh.unit = frame.unit;
     loaded.materials = std::move(materials.materials);

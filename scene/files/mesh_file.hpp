@@ -1,4 +1,4 @@
-// Wavefront OBJ and MTL files through tinyobjloader, checked.
+// Wavefront OBJ and MTL files, checked.
 #pragma once
 
 #include <optional>
@@ -7,6 +7,7 @@
 
 #include "lighting/material.hpp"
 #include "raster/mesh.hpp"
+#include "scene/files/file_state.hpp"
 #include "scene/scene.hpp"
 
 namespace kreda::scene {
@@ -16,6 +17,7 @@ struct LoadedMesh {
     raster::Mesh mesh;
     std::vector<lighting::Material> materials;
     std::vector<std::string> warnings;  ///< what was wrong but not fatal, a line each, with its place
+    std::vector<UsedFile> other_files;  ///< that were looked at beside the OBJ: MTL files, images that must be there
 };
 
 struct MeshFileOptions {

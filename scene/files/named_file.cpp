@@ -58,23 +58,12 @@ std::string with_slashes(std::string named) {
     return named;
 }
 
-}  // namespace
-
-std::string folder_of(const std::string& path) {
-    const std::string folder = fs::path(path).parent_path().string();
-    return folder.empty() ? "." : folder;
-}
-
-std::string without_comment(const std::string& name) {
-    const std::size_t comment = std::min(name.find(" #"), name.find("\t#"));
-    return name.substr(0, name.substr(0, comment).find_last_not_of(" \t") + 1);
-}
-
-NamedPath resolve_named_path(const ObjText& text, std::size_t offset, const std::string& whole_name,
-                             const NamedFileLimits& limits) {
+/// What a path in a text leads to.
+NamedPath find_path(const ObjText& text, std::size_t offset, const std::string& whole_name,
+                    const NamedFileLimits& limits) {
     const std::string bare = without_comment(whole_name);
     if (bare != whole_name && !is_there(fs::path(folder_of(text.file)) / with_slashes(whole_name))) {
-        return resolve_named_path(text, offset, bare, limits);
+        return find_path(text, offset, bare, limits);
     }
     const std::string& named = whole_name;
     const fs::path folder = folder_of(text.file), portable = with_slashes(named);
@@ -91,6 +80,31 @@ NamedPath resolve_named_path(const ObjText& text, std::size_t offset, const std:
     throw UserError(place_at(text, offset), path_in_quotes(named) +
                                                 " is outside the folder of the OBJ file; move it "
                                                 "there, or allow it with --allow-outside");
+}
+
+}  // namespace
+
+std::string folder_of(const std::string& path) {
+    const std::string folder = fs::path(path).parent_path().string();
+    return folder.empty() ? "." : folder;
+}
+
+std::string without_comment(const std::string& name) {
+    const std::size_t comment = std::min(name.find(" #"), name.find("\t#"));
+    return name.substr(0, name.substr(0, comment).find_last_not_of(" \t") + 1);
+}
+
+NamedPath resolve_named_path(const ObjText& text, std::size_t offset, const std::string& whole_name,
+                             const NamedFileLimits& limits) {
+    const NamedPath found = find_path(text, offset, whole_name, limits);
+    if (!limits.used) return found;
+    const std::string path = (fs::path(folder_of(text.file)) / with_slashes(whole_name)).string();
+    limits.used->push_back(use_file(path, FileUse::presence));
+    if (found.path == path) return found;
+    // Whatever appears near by may be what is meant.
+    for (const std::string& folder : {folder_of(text.file), folder_of(path)}) limits.used->push_back(use_file(folder));
+    if (!found.path.empty()) limits.used->push_back(use_file(found.path, FileUse::presence));
+    return found;
 }
 
 std::string find_named_file(const ObjText& text, std::size_t offset, const std::string& named,

@@ -2,15 +2,18 @@
 #pragma once
 
 #include <string>
+#include <vector>
 
+#include "scene/files/file_state.hpp"
 #include "scene/files/obj_text.hpp"
 
 namespace kreda::scene {
 
 /// Where the paths in a text may lead.
 struct NamedFileLimits {
-    std::string root;            ///< the OBJ's folder
-    bool allow_outside = false;  ///< files outside of root may be read, too
+    std::string root;                       ///< the OBJ's folder
+    bool allow_outside = false;             ///< files outside of root may be read, too
+    std::vector<UsedFile>* used = nullptr;  ///< told what was looked at; the files themselves are used by their readers
 };
 
 /// What a path in a text leads to.

@@ -1,16 +1,12 @@
 #include "scene/files/obj_centre.hpp"
 
 #include <algorithm>
-#include <charconv>
 #include <cmath>
 #include <limits>
-#include <string_view>
 #include <vector>
 
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
-
-#include "raster/platform.hpp"
 
 namespace kreda::scene {
 
@@ -43,33 +39,6 @@ bool is_ordinary_size(const Extent& extent) {
     return extent.radius >= 1.0 / kOrdinaryRadius && extent.radius <= kOrdinaryRadius;
 }
 
-/// The next number of a statement that the scan has checked; what is too small for a double is 0.
-double take_number(std::string_view& line) {
-    line.remove_prefix(std::min(line.find_first_not_of(" +"), line.size()));
-    double number = 0.0;
-    const std::from_chars_result result = std::from_chars(line.data(), line.data() + line.size(), number);
-    line.remove_prefix(static_cast<std::size_t>(result.ptr - line.data()));
-    return result.ec == std::errc() ? number : 0.0;
-}
-
-/// The `v` statements in double. The library reads them to seven digits.
-std::vector<glm::dvec3> read_positions(const ObjScan& scan, std::size_t count) {
-    std::vector<glm::dvec3> positions;
-    positions.reserve(count);
-    std::string_view rest = scan.statements;
-    while (!rest.empty()) {
-        const std::size_t end = rest.find('\n');
-        std::string_view line = rest.substr(0, end);
-        rest.remove_prefix(std::min(line.size() + 1, rest.size()));
-        if (!line.starts_with("v ")) continue;
-        line.remove_prefix(1);
-        const double x = take_number(line), y = take_number(line), z = take_number(line);
-        positions.emplace_back(x, y, z);
-    }
-    KREDA_EXPECT(positions.size() == count);
-    return positions;
-}
-
 /// Rounded to the power of two at or below.
 double power_of_two(double x) {
     return std::exp2(std::floor(std::log2(x)));
@@ -77,11 +46,11 @@ double power_of_two(double x) {
 
 }  // namespace
 
-MeshFrame keep_about_centre(const ObjScan& scan, ObjPolygons& obj) {
-    const Extent rough = extent_of(obj.positions, obj.corners);
+MeshFrame keep_about_centre(const ObjScan& scan, std::vector<glm::vec3>& positions) {
+    positions.assign(scan.positions.begin(), scan.positions.end());
+    const Extent rough = extent_of(positions, scan.corners);
     if (!is_far(rough) && is_ordinary_size(rough)) return {};
-    const std::vector<glm::dvec3> exact = read_positions(scan, obj.positions.size());
-    const Extent extent = extent_of(exact, obj.corners);
+    const Extent extent = extent_of(scan.positions, scan.corners);
     if (!(extent.radius > 0.0)) return {};
     MeshFrame frame;
     if (!is_ordinary_size(extent)) frame.unit = power_of_two(extent.radius);
@@ -89,8 +58,8 @@ MeshFrame keep_about_centre(const ObjScan& scan, ObjPolygons& obj) {
         const double step = power_of_two(extent.radius) / 256.0;  // a round number reads better
         frame.origin = glm::round(extent.middle / step) * step;
     }
-    for (std::size_t i = 0; i < exact.size(); ++i) {
-        obj.positions[i] = glm::vec3((exact[i] - frame.origin) / frame.unit);
+    for (std::size_t i = 0; i < positions.size(); ++i) {
+        positions[i] = glm::vec3((scan.positions[i] - frame.origin) / frame.unit);
     }
     return frame;
 }

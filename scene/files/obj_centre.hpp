@@ -2,9 +2,10 @@
 // shape.
 #pragma once
 
+#include <vector>
+
 #include <glm/vec3.hpp>
 
-#include "scene/files/obj_polygons.hpp"
 #include "scene/files/obj_scan.hpp"
 
 namespace kreda::scene {
@@ -20,8 +21,8 @@ constexpr double kFarFromZero = 16.0;
 /// Meshes of a radius between 1 / this and this keep the unit 1.
 constexpr double kOrdinaryRadius = 1048576.0;
 
-/// Where the faces' positions are far from 0 for their size, tiny or huge: read them again from the statements, in
-/// double, and keep them about their middle, in a unit of about their radius. Otherwise nothing changes.
-MeshFrame keep_about_centre(const ObjScan& scan, ObjPolygons& obj);
+/// The scan's positions as floats. Where those of the faces are far from 0 for their size, tiny or huge: about their
+/// middle, in a unit of about their radius.
+MeshFrame keep_about_centre(const ObjScan& scan, std::vector<glm::vec3>& positions);
 
 }  // namespace kreda::scene

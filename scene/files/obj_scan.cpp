@@ -4,66 +4,34 @@
 #include <array>
 #include <charconv>
 #include <limits>
-#include <unordered_set>
+
+#include "raster/platform.hpp"
+#include "scene/files/obj_scanner.hpp"
+
+#if defined(_OPENMP)
+#include <omp.h>
+#endif
 
 namespace kreda::scene {
 
 namespace {
 
-constexpr int kKinds = 3;  // position, texture coordinate, normal: the order in v/vt/vn
-constexpr std::array<const char*, kKinds> kKindNames = {"position", "texture coordinate", "normal"};
-constexpr std::array<const char*, kKinds> kKindStatements = {"v", "vt", "vn"};
-
-/// An index that names nothing so far: right if what it names comes later.
-struct OpenReference {
-    int kind = 0;
-    std::int64_t index = 0;
-    std::int64_t count = 0;  // how many there were before its line
-    std::string_view token;
-};
-
-struct ObjScanner {
-    const ObjText& text;
-    ObjCursor cursor;
-    ObjScan scan;
-    std::array<std::int64_t, kKinds> counts{};
-    std::vector<OpenReference> open;
-    ObjWarnings warnings;
-    std::unordered_set<std::string> seen_materials;
-    std::uint32_t smoothing_group = 0;
-    std::size_t ignored = 0;
-    std::string first_ignored;  // its warning, with the place
-    std::size_t colored = 0;
-    std::string first_colored;
-
-    explicit ObjScanner(const ObjText& obj) : text(obj), cursor(obj), warnings(obj) {
-        scan.statements.reserve(obj.text.size());
-    }
-};
-
 void warn(ObjScanner& s, std::string_view kind, std::string_view token, const std::string& message) {
     s.warnings.add(kind, s.cursor.offset_of(token), token_in_quotes(token) + ": " + message);
 }
 
-void append(ObjScanner& s, std::string_view word) {
-    s.scan.statements += ' ';
-    s.scan.statements += word;
-}
-
-void end_statement(ObjScanner& s, int kind) {
-    s.scan.statements += '\n';
-    ++s.counts[static_cast<std::size_t>(kind)];
+/// The next word of the statement as a finite number.
+double next_number(ObjScanner& s, const char* what) {
+    double number = 0.0;
+    if (s.cursor.take_number(number)) return number;
+    return parse_finite(s.cursor, s.cursor.next_number_token(), what);
 }
 
 /// v x y z, then nothing, a weight w, or a colour of 3 or 4 numbers; only x y z are used.
 void scan_position(ObjScanner& s, std::size_t offset) {
-    static constexpr std::array<const char*, 3> kAxes = {"an x coordinate", "a y coordinate", "a z coordinate"};
-    s.scan.statements += 'v';
-    for (const char* axis : kAxes) {
-        const std::string_view token = s.cursor.next_number_token();
-        parse_finite(s.cursor, token, axis);
-        append(s, token);
-    }
+    const double x = next_number(s, "an x coordinate");
+    const double y = next_number(s, "a y coordinate");
+    const double z = next_number(s, "a z coordinate");
     int extra = 0;
     std::string_view token = s.cursor.next_number_token();
     for (; !token.empty() && extra < 4; token = s.cursor.next_number_token(), ++extra) {
@@ -74,8 +42,9 @@ void scan_position(ObjScanner& s, std::size_t offset) {
                       "wrong number of coordinates: a vertex is x y z, and perhaps a weight (1 number more) or a "
                       "colour (3 or 4 more)");
     }
-    if (extra >= 3 && s.colored++ == 0) s.first_colored = warning_at(s.text, offset, "'v'");
-    end_statement(s, 0);
+    if (extra >= 3 && s.colored++ == 0) s.first_colored = offset;
+    s.scan.positions.emplace_back(x, y, z);
+    ++s.counts[0];
 }
 
 /// What exporters write where there is no number: nan, -nan(ind), inf, and on Windows -1.#IND, 1.#QNAN, 1.#INF.
@@ -90,96 +59,60 @@ bool is_nan_or_infinity(std::string_view token) {
 
 /// vt u [v [w]]. What is no number becomes 0.
 void scan_texture_coordinate(ObjScanner& s) {
-    s.scan.statements += "vt";
-    int numbers = 0;
+    std::array<double, 3> uvw{};
+    std::size_t numbers = 0;
     std::string_view bad;
-    std::string_view token = s.cursor.next_number_token();
-    for (; numbers == 0 || (!token.empty() && numbers < 3); token = s.cursor.next_number_token(), ++numbers) {
-        if (is_nan_or_infinity(token)) {
-            bad = token;
-            append(s, "0");
+    while (numbers < 3) {
+        if (s.cursor.take_number(uvw[numbers])) {
+            ++numbers;
             continue;
         }
-        parse_finite(s.cursor, token, "a texture coordinate");
-        append(s, token);
+        const std::string_view token = s.cursor.next_number_token();
+        if (token.empty() && numbers > 0) break;
+        if (is_nan_or_infinity(token))
+            bad = token;
+        else
+            uvw[numbers] = parse_finite(s.cursor, token, "a texture coordinate");
+        ++numbers;
     }
+    const std::string_view token = s.cursor.next_number_token();
     if (!token.empty()) s.cursor.fail(token, "wrong number of coordinates: a texture coordinate has 1, 2 or 3");
     if (!bad.empty()) warn(s, "texture coordinates (vt) that are no numbers", bad, "is no number; 0 is used instead");
-    end_statement(s, 1);
+    s.scan.uvs.emplace_back(uvw[0], uvw[1]);
+    ++s.counts[1];
 }
 
-/// vn x y z. Exporters write nan for degenerate faces: such a normal becomes 0 0 0, which counts as missing.
+/// vn x y z. Exporters write nan for degenerate faces: that component becomes 0. A normal of three 0 counts as missing.
 void scan_normal(ObjScanner& s) {
-    s.scan.statements += "vn";
-    for (int i = 0; i < 3; ++i) {
-        std::string_view token = s.cursor.next_number_token();
-        if (is_nan_or_infinity(token)) {
-            append(s, "nan");
-            continue;
-        }
-        parse_finite(s.cursor, token, "a normal's component");
-        append(s, token);
+    std::array<double, 3> xyz{};
+    for (double& component : xyz) {
+        if (s.cursor.take_number(component)) continue;
+        const std::string_view token = s.cursor.next_number_token();
+        if (!is_nan_or_infinity(token)) component = parse_finite(s.cursor, token, "a normal's component");
     }
     const std::string_view token = s.cursor.next_number_token();
     if (!token.empty()) s.cursor.fail(token, "wrong number of coordinates: a normal has 3");
-    end_statement(s, 2);
+    s.scan.normals.emplace_back(xyz[0], xyz[1], xyz[2]);
+    ++s.counts[2];
 }
 
-[[noreturn]] void fail_index(ObjScanner& s, int kind, std::string_view token, const std::string& why) {
-    const std::size_t k = static_cast<std::size_t>(kind);
-    s.cursor.fail(token, std::string("no such ") + kKindNames[k] + ": " + why + " (" + kKindStatements[k] + ")");
-}
-
-/// Whether the library shall see this index. What only comes later, or never, is settled when the text is read.
-bool keeps_index(ObjScanner& s, int kind, std::int64_t index, std::string_view token) {
-    const std::int64_t count = s.counts[static_cast<std::size_t>(kind)];
-    if (index == 0 && kind == 0) fail_index(s, kind, token, "indices count from 1");
-    if (index == 0) {
-        warn(s, "indices 0", token,
-             "indices count from 1; 0 is taken for no " + std::string(kKindNames[static_cast<std::size_t>(kind)]));
-        return false;
-    }
-    if (index >= -count && index <= count) return true;
-    s.open.push_back({kind, index, count, token});
-    return index > 0 && index <= std::numeric_limits<std::int32_t>::max();
-}
-
-/// One corner: v, v/vt, v//vn or v/vt/vn. The library gets the indices that it shall see, in the form v/vt/vn, and no
-/// slash at the end: it would take the next corner's index for the missing one.
-void scan_corner(ObjScanner& s, std::string_view token) {
-    static constexpr const char* kExpected = "expected a corner of a face: v, v/vt, v//vn or v/vt/vn, integers";
-    const char* p = token.data();
-    const char* const end = token.data() + token.size();
-    std::array<std::string_view, kKinds> kept;
-    for (int kind = 0; kind < kKinds && !(kind > 0 && p == end); ++kind) {
-        if (kind > 0) {
-            if (*p != '/') s.cursor.fail(token, kExpected);
-            ++p;
-            if (p == end || *p == '/') continue;
-        }
-        std::int64_t index = 0;
-        const std::from_chars_result result = std::from_chars(p, end, index);
-        if (result.ec == std::errc::invalid_argument) s.cursor.fail(token, kExpected);
-        if (result.ec == std::errc::result_out_of_range) {
-            index = *p == '-' ? std::numeric_limits<std::int64_t>::min() : std::numeric_limits<std::int64_t>::max();
-        }
-        const std::string_view digits(p, static_cast<std::size_t>(result.ptr - p));
-        if (keeps_index(s, kind, index, token)) kept[static_cast<std::size_t>(kind)] = digits;
-        p = result.ptr;
-    }
-    if (p != end) s.cursor.fail(token, kExpected);
-    append(s, kept[0]);
-    if (!kept[1].empty() || !kept[2].empty()) s.scan.statements.append("/").append(kept[1]);
-    if (!kept[2].empty()) s.scan.statements.append("/").append(kept[2]);
+/// The group and material of the next face, unless they are those of the one before.
+void continue_run(ObjScanner& s) {
+    if (!s.starts_run) return;
+    s.starts_run = false;
+    if (!s.runs.empty() && s.runs.back().name == s.name && s.runs.back().material == s.material) return;
+    s.runs.push_back({s.name, s.material, s.scan.faces.size()});
 }
 
 void scan_face(ObjScanner& s, std::size_t offset) {
-    const std::size_t start = s.scan.statements.size(), first_open = s.open.size();
-    s.scan.statements += 'f';
-    int corners = 0;
-    std::string_view token = s.cursor.next_number_token();
-    for (; !token.empty(); token = s.cursor.next_number_token(), ++corners) {
-        if (corners == kMaxPolygonCorners) {
+    const std::size_t first = s.scan.corners.size(), first_open = s.open.size(), first_relative = s.relative.size();
+    std::size_t corners = 0;
+    for (;; ++corners) {
+        const bool is_full = corners == kMaxPolygonCorners;
+        if (!is_full && scan_plain_corner(s)) continue;
+        const std::string_view token = s.cursor.next_number_token();
+        if (token.empty()) break;
+        if (is_full) {
             s.cursor.fail(token, "a face may have " + std::to_string(kMaxPolygonCorners) +
                                      " corners at most; triangulate the mesh in a modelling program");
         }
@@ -189,12 +122,13 @@ void scan_face(ObjScanner& s, std::size_t offset) {
         s.warnings.add("faces (f) of fewer than 3 corners", offset,
                        "a face of " + std::to_string(corners) + (corners == 1 ? " corner" : " corners") +
                            " covers nothing and is left out; a triangle has 3");
-        s.scan.statements.resize(start);
+        s.scan.corners.resize(first);
         s.open.resize(first_open);
+        s.relative.resize(first_relative);
         return;
     }
-    s.scan.statements += '\n';
-    s.scan.faces.push_back({static_cast<std::uint32_t>(offset), s.smoothing_group});
+    continue_run(s);
+    s.scan.faces.push_back({static_cast<std::uint32_t>(offset), s.smoothing_group, static_cast<std::uint32_t>(first)});
 }
 
 /// s GROUP, s 0, s off or s on, which some programs write: one smooth group.
@@ -211,7 +145,19 @@ void scan_smoothing_group(ObjScanner& s) {
         s.cursor.fail(token, "expected a smoothing group: a number or off");
     }
     s.smoothing_group = group == 0 ? 0 : std::max(static_cast<std::uint32_t>(group), 1u);
+    if (!s.scan.has_smoothing_groups) s.faces_before_group = s.scan.faces.size();
     s.scan.has_smoothing_groups = true;
+}
+
+/// A face may be in several groups: their names become one, with a blank between them.
+std::string joined_words(const std::string& names) {
+    std::string joined;
+    for (std::size_t first = names.find_first_not_of(" \t"); first != names.npos;) {
+        const std::size_t end = std::min(names.find_first_of(" \t", first), names.size());
+        joined.append(joined.empty() ? "" : " ").append(names, first, end - first);
+        first = names.find_first_not_of(" \t", end);
+    }
+    return joined;
 }
 
 void scan_name(ObjScanner& s, std::string_view keyword, std::size_t offset) {
@@ -220,18 +166,19 @@ void scan_name(ObjScanner& s, std::string_view keyword, std::size_t offset) {
         s.scan.material_files.push_back({name, offset});
         return;
     }
-    if (keyword == "usemtl" && !name.empty() && s.seen_materials.insert(name).second) {
-        s.scan.materials.push_back({name, offset});
+    s.starts_run = true;
+    if (keyword == "usemtl") {
+        s.material = name;
+        if (!name.empty() && s.seen_materials.insert(name).second) s.scan.materials.push_back({name, offset});
+    } else {
+        s.name = keyword == "o" ? name : name.empty() ? "default" : joined_words(name);
     }
-    s.scan.statements += keyword;
-    append(s, keyword == "g" && name.empty() ? "default" : name);
-    s.scan.statements += '\n';
 }
 
 void scan_ignored(ObjScanner& s, std::string_view keyword) {
-    if (s.ignored++ == 0) {
-        s.first_ignored = warning_at(s.text, s.cursor.offset_of(keyword), token_in_quotes(keyword));
-    }
+    if (s.ignored++ > 0) return;
+    s.first_ignored = s.cursor.offset_of(keyword);
+    s.ignored_length = keyword.size();
 }
 
 void scan_keyword(ObjScanner& s, std::string_view keyword) {
@@ -253,48 +200,99 @@ void scan_statement(ObjScanner& s) {
     s.cursor.skip_statement();
 }
 
-/// What an index names must be somewhere in the file. A normal that is nowhere is made, as for a corner without one;
-/// texture coordinates of a file that has none are left out.
-void settle_open_references(ObjScanner& s) {
-    for (const OpenReference& reference : s.open) {
-        const std::int64_t count = s.counts[static_cast<std::size_t>(reference.kind)];
-        if (reference.index > 0 && reference.index <= count) continue;
-        const bool can_do_without = reference.kind == 2 || (reference.kind == 1 && count == 0);
-        const std::string why = reference.index > 0
-                                    ? "the file has " + std::to_string(count)
-                                    : "there are " + std::to_string(reference.count) + " before this line";
-        if (!can_do_without) fail_index(s, reference.kind, reference.token, why);
-        const bool is_normal = reference.kind == 2;
-        warn(s,
-             is_normal ? "indices of normals (vn) that are not there"
-                       : "indices of texture coordinates (vt) in a file without",
-             reference.token,
-             is_normal ? "no such normal: " + why + " (vn); a smooth one is made"
-                       : "no such texture coordinate: " + why + " (vt); the corner has none");
+/// Where the next line begins, at or behind `from`, that no backslash joins to the one before.
+std::size_t line_start(const std::string& text, std::size_t from) {
+    while (from < text.size()) {
+        const std::size_t end = text.find('\n', from);
+        if (end == text.npos) return text.size();
+        const std::size_t last = end > 0 && text[end - 1] == '\r' ? end - 1 : end;
+        if (last == 0 || text[last - 1] != '\\') return end + 1;
+        from = end + 1;
     }
+    return text.size();
+}
+
+std::vector<ObjScanner> cut_text(const ObjText& text, int stretches) {
+    std::vector<ObjScanner> cut;
+    std::size_t begin = 0;
+    for (int i = 1; i <= stretches && begin < text.text.size(); ++i) {
+        const std::size_t about = text.text.size() / static_cast<std::size_t>(stretches) * static_cast<std::size_t>(i);
+        const std::size_t end = i == stretches ? text.text.size() : line_start(text.text, std::max(about, begin));
+        cut.emplace_back(text, begin, end, true);
+        begin = end;
+    }
+    return cut;
+}
+
+/// False where something is odd: it is told with what comes before it known.
+bool scan_side_by_side(const ObjText& text, int stretches, std::vector<ObjScanner>& cut) {
+    cut = cut_text(text, stretches);
+    const int count = static_cast<int>(cut.size());
+#pragma omp parallel for schedule(dynamic)
+    for (int i = 0; i < count; ++i) {
+        ObjScanner& s = cut[static_cast<std::size_t>(i)];
+        try {
+            scan_statements(s);
+        } catch (const UserError&) { s.is_odd = true; }
+        s.is_odd = s.is_odd || !s.warnings.empty();
+    }
+    return std::none_of(cut.begin(), cut.end(), [](const ObjScanner& s) { return s.is_odd; });
+}
+
+/// What is the same however the text was cut.
+void finish(const ObjText& text, const std::vector<ObjScanner>& cut, ObjScan& scan) {
+    std::size_t ignored = 0, colored = 0;
+    std::string first_ignored, first_colored;
+    for (const ObjScanner& s : cut) {
+        const std::string_view word = std::string_view(text.text).substr(s.first_ignored, s.ignored_length);
+        if (ignored == 0 && s.ignored > 0) first_ignored = warning_at(text, s.first_ignored, token_in_quotes(word));
+        if (colored == 0 && s.colored > 0) first_colored = warning_at(text, s.first_colored, "'v'");
+        ignored += s.ignored;
+        colored += s.colored;
+    }
+    if (colored > 0) {
+        scan.warnings.push_back(first_colored + " with a colour: vertex colours are not used, " +
+                                std::to_string(colored) + " vertices have one; colour comes from materials and maps");
+    }
+    if (ignored > 0) {
+        scan.warnings.push_back(first_ignored + " and what is like it is ignored: " + std::to_string(ignored) +
+                                " statements that make no triangle");
+    }
+    if (!scan.faces.empty()) return;
+    throw UserError(Place{text.file}, "holds no triangle; an OBJ mesh needs `f` lines" +
+                                          (ignored > 0 ? " (not read: " + first_ignored + ")" : ""));
+}
+
+int stretches_for(const ObjText& text) {
+#if defined(_OPENMP)
+    constexpr std::size_t kWorthThreads = std::size_t(1) << 20;  // bytes
+    return text.text.size() > kWorthThreads ? 4 * omp_get_max_threads() : 1;
+#else
+    static_cast<void>(text);
+    return 1;
+#endif
 }
 
 }  // namespace
 
-ObjScan scan_obj(const ObjText& text) {
-    ObjScanner s(text);
-    while (!s.cursor.at_end()) scan_statement(s);
-    settle_open_references(s);
-    s.scan.warnings = s.warnings.lines();
-    if (s.colored > 0) {
-        s.scan.warnings.push_back(s.first_colored + " with a colour: vertex colours are not used, " +
-                                  std::to_string(s.colored) +
-                                  " vertices have one; colour comes from materials and maps");
+void scan_statements(ObjScanner& s) {
+    while (!s.cursor.at_end() && !s.is_odd) scan_statement(s);
+}
+
+ObjScan scan_obj(const ObjText& text, int stretches) {
+    if (stretches == 0) stretches = stretches_for(text);
+    std::vector<ObjScanner> cut;
+    ObjScan scan;
+    if (stretches < 2 || !scan_side_by_side(text, stretches, cut) || !join_stretches(cut, scan)) {
+        cut.clear();
+        scan = {};
+        cut.emplace_back(text, 0, text.text.size(), false);
+        scan_statements(cut[0]);
+        settle_open_references(cut[0]);
+        if (!join_stretches(cut, scan)) KREDA_EXPECT(false);
     }
-    if (s.ignored > 0) {
-        s.scan.warnings.push_back(s.first_ignored + " and what is like it is ignored: " + std::to_string(s.ignored) +
-                                  " statements that make no triangle");
-    }
-    if (s.scan.faces.empty()) {
-        throw UserError(Place{text.file}, "holds no triangle; an OBJ mesh needs `f` lines" +
-                                              (s.ignored > 0 ? " (not read: " + s.first_ignored + ")" : ""));
-    }
-    return std::move(s.scan);
+    finish(text, cut, scan);
+    return scan;
 }
 
 }  // namespace kreda::scene

@@ -143,6 +143,7 @@ bool ObjCursor::ends_token(std::size_t i) const {
 
 void ObjCursor::skip_blanks() {
     while (true) {
+        while (at(position_) == ' ') ++position_;
         if (is_blank(at(position_))) {
             ++position_;
         } else if (continues(position_)) {
@@ -170,6 +171,28 @@ std::string_view ObjCursor::next_number_token() {
         ++position_;
     }
     return std::string_view(text_.text).substr(first, position_ - first);
+}
+
+std::string_view ObjCursor::rest_of_text() {
+    skip_blanks();
+    return std::string_view(text_.text).substr(position_, end_ - position_);
+}
+
+bool ObjCursor::take_up_to(const char* p) {
+    const std::size_t end = offset_of({p, 0});
+    if (end < end_ && !is_blank(at(end)) && !is_line_end(at(end))) return false;
+    position_ = end;
+    return true;
+}
+
+bool ObjCursor::take_number(double& number) {
+    const std::string_view rest = rest_of_text();
+    double value = 0.0;
+    const std::from_chars_result result = std::from_chars(rest.data(), rest.data() + rest.size(), value);
+    const bool is_plain = result.ec == std::errc() && std::abs(value) <= double(std::numeric_limits<float>::max());
+    if (!is_plain || !take_up_to(result.ptr)) return false;
+    number = value;
+    return true;
 }
 
 std::string ObjCursor::rest_of_statement() {
@@ -213,23 +236,22 @@ void ObjCursor::fail(std::string_view token, const std::string& message) const {
 }
 
 double parse_finite(const ObjCursor& cursor, std::string_view token, const char* what) {
-    const std::string expected = std::string("expected ") + what;
-    if (token.empty()) cursor.fail(token, expected);
+    const auto expected = [&] { return std::string("expected ") + what; };
+    if (token.empty()) cursor.fail(token, expected());
     const bool plus = token.front() == '+' && token.size() > 1 && token[1] != '-';
     double value = 0.0;
     const char* end = token.data() + token.size();
     const std::from_chars_result result = std::from_chars(token.data() + (plus ? 1 : 0), end, value);
-    if (result.ec == std::errc::invalid_argument) cursor.fail(token, expected + ", a number");
+    if (result.ec == std::errc::invalid_argument) cursor.fail(token, expected() + ", a number");
     if (result.ptr != end) {
         const bool comma = *result.ptr == ',';
-        cursor.fail(token,
-                    comma ? expected + "; write decimals with a point, 1.5 and not 1,5" : expected + ", a number");
+        cursor.fail(token, expected() + (comma ? "; write decimals with a point, 1.5 and not 1,5" : ", a number"));
     }
     // Out of range is either far too large or so small that it is 0; a negative exponent tells which.
     if (result.ec == std::errc::result_out_of_range && has_negative_exponent(token)) return 0.0;
     if (result.ec == std::errc::result_out_of_range || !std::isfinite(value) ||
         std::abs(value) > double(std::numeric_limits<float>::max())) {
-        cursor.fail(token, expected + " that is finite, at most 3.4e38");
+        cursor.fail(token, expected() + " that is finite, at most 3.4e38");
     }
     return value;
 }

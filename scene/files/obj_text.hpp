@@ -44,6 +44,9 @@ public:
     void add_line(std::string_view kind, const std::string& line);
     /// Whether further warnings of the kind are counted and not shown: their text need not be thought about.
     [[nodiscard]] bool has_enough_of(std::string_view kind) const;
+    [[nodiscard]] bool empty() const {
+        return kinds_.empty();
+    }
 
     /// All lines, those of a kind together, the kinds in the order in which they came.
     [[nodiscard]] std::vector<std::string> lines() const;
@@ -70,10 +73,12 @@ private:
 /// the line joins the next one to it.
 class ObjCursor {
 public:
-    explicit ObjCursor(const ObjText& text) : text_(text) {}
+    explicit ObjCursor(const ObjText& text) : ObjCursor(text, 0, text.text.size()) {}
+    /// Over a part of the text that begins and ends with a line.
+    ObjCursor(const ObjText& text, std::size_t begin, std::size_t end) : text_(text), position_(begin), end_(end) {}
 
     [[nodiscard]] bool at_end() const {
-        return position_ >= text_.text.size();
+        return position_ >= end_;
     }
     [[nodiscard]] std::size_t offset() const {
         return position_;
@@ -84,6 +89,12 @@ public:
     /// As next_token, but `#` starts a comment: for statements of numbers, where it cannot be part of a name. Behind a
     /// point it is part of the number: Windows writes what is not a number as -1.#IND.
     std::string_view next_number_token();
+    /// The next word, where it is a plain number within float's range; false, and nothing is read: it is not.
+    [[nodiscard]] bool take_number(double& number);
+    /// From the next word on.
+    [[nodiscard]] std::string_view rest_of_text();
+    /// Go on behind a word of rest_of_text() that ends at p; false, and nothing is read: no word ends there.
+    [[nodiscard]] bool take_up_to(const char* p);
     /// What is left of the statement, blanks at both ends removed, continuations turned into blanks.
     std::string rest_of_statement();
     /// To the first byte of the next statement. A comment ends with its line, backslash or not.
@@ -106,6 +117,7 @@ private:
 
     const ObjText& text_;
     std::size_t position_ = 0;
+    std::size_t end_ = 0;
 };
 
 /// A finite number within float's range. `what` names it in the message: "an x coordinate".

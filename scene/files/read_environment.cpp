@@ -4,6 +4,7 @@
 #include "scene/files/image_color.hpp"
 #include "scene/files/image_file.hpp"
 #include "scene/files/key_tables.hpp"
+#include "scene/files/loaded_files.hpp"
 
 namespace kreda::scene {
 
@@ -38,14 +39,18 @@ std::vector<std::string> remarks_of(const StoredImage& stored) {
 }
 
 /// The image that a key names. What was wrong with it is a warning.
-std::shared_ptr<const raster::Image> load(const Value& key, const std::string& path,
+std::shared_ptr<const raster::Image> load(const Value& key, const std::string& path, LoadedFiles* files,
                                           std::vector<std::string>& warnings) {
-    const EnvironmentImage loaded =
-        read_environment_image(path, key.place, in_quotes(key.key) + ": " + path_in_quotes(path) + " ");
-    for (const std::string& remark : loaded.remarks) {
+    const auto read = [&](std::vector<UsedFile>& from) {
+        from.push_back(use_file(path));
+        return read_environment_image(path, key.place, in_quotes(key.key) + ": " + path_in_quotes(path) + " ");
+    };
+    const std::shared_ptr<const EnvironmentImage> loaded =
+        find_or_make(files, &LoadedFiles::environments, canonical_path(path), read);
+    for (const std::string& remark : loaded->remarks) {
         warnings.push_back(UserError(key.place, path_in_quotes(path) + " " + remark).what());
     }
-    return loaded.image;
+    return loaded->image;
 }
 
 }  // namespace
@@ -69,7 +74,7 @@ EnvironmentImage read_environment_image(const std::string& path, const Place& pl
     return loaded;
 }
 
-EnvironmentSettings read_environment(const Value& table, const std::string& folder,
+EnvironmentSettings read_environment(const Value& table, const std::string& folder, LoadedFiles* files,
                                      std::vector<std::string>& warnings) {
     const Value* file = find(table, "file");
     const Value* sky = find(table, "sky");
@@ -84,8 +89,9 @@ EnvironmentSettings read_environment(const Value& table, const std::string& fold
     settings.on = true;
     read_keys(table, environment_keys(), settings);
     if (!file) return settings;
+    if (files) files->used.push_back(use_file(path_in(folder, file->text), FileUse::presence));
     const std::string path = existing_file(*file, folder);
-    if (settings.on) settings.image = load(*file, path, warnings);
+    if (settings.on) settings.image = load(*file, path, files, warnings);
     return settings;
 }
 

@@ -11,6 +11,8 @@
 
 namespace kreda::scene {
 
+struct LoadedFiles;
+
 /// An equirectangular image, ready to be light, and what had to be mended.
 struct EnvironmentImage {
     std::shared_ptr<const raster::Image> image;
@@ -24,8 +26,8 @@ struct EnvironmentImage {
                                                       const std::string& subject);
 
 /// Reads the table and, unless it is off, its image; what had to be repaired there is a warning. Relative paths start
-/// at `folder`. Throws UserError.
-[[nodiscard]] EnvironmentSettings read_environment(const Value& table, const std::string& folder,
+/// at `folder`. files: what is kept, or nullptr. Throws UserError.
+[[nodiscard]] EnvironmentSettings read_environment(const Value& table, const std::string& folder, LoadedFiles* files,
                                                    std::vector<std::string>& warnings);
 
 }  // namespace kreda::scene

@@ -16,6 +16,7 @@
 #include "raster/triangle_setup.hpp"
 #include "scene/files/file_key.hpp"
 #include "scene/files/key_tables.hpp"
+#include "scene/files/loaded_files.hpp"
 #include "scene/files/mesh_file.hpp"
 #include "scene/files/toml_check.hpp"
 #include "scene/join_parts.hpp"
@@ -61,13 +62,11 @@ raster::Mesh built_in_mesh(const Value& table, const ObjectTable& read, int deta
 }
 
 SharedMesh ObjectReader::load_file(const std::string& path, Normals normals, const std::optional<float>& crease) {
-    const bool is_ready = options.ready && path == options.ready_path && normals == Normals::file && !crease;
-    LoadedMesh loaded =
-        is_ready ? std::move(*options.ready) : load_mesh_file(path, {normals, options.allow_outside, crease});
-    const SharedMesh shared{std::make_shared<const raster::Mesh>(std::move(loaded.mesh)),
-                            static_cast<int>(scene.materials.size())};
-    scene.warnings.insert(scene.warnings.end(), loaded.warnings.begin(), loaded.warnings.end());
-    scene.materials.insert(scene.materials.end(), loaded.materials.begin(), loaded.materials.end());
+    const std::shared_ptr<const LoadedMesh> loaded =
+        load_mesh(options.files, path, {normals, options.allow_outside, crease});
+    const SharedMesh shared{{loaded, &loaded->mesh}, static_cast<int>(scene.materials.size())};
+    scene.warnings.insert(scene.warnings.end(), loaded->warnings.begin(), loaded->warnings.end());
+    scene.materials.insert(scene.materials.end(), loaded->materials.begin(), loaded->materials.end());
     return shared;
 }
 
@@ -80,12 +79,16 @@ SharedMesh ObjectReader::mesh_of(const Value& table, const ObjectTable& read) {
     const std::vector<std::string> shapes = built_in_names();
     if (std::find(shapes.begin(), shapes.end(), name) != shapes.end()) {
         const int detail = read.detail.value_or(raster::default_detail(name).value());
-        SharedMesh& shared = meshes[name + " detail " + std::to_string(detail) + with_normals];
-        if (!shared.mesh) shared.mesh = std::make_shared<raster::Mesh>(built_in_mesh(table, read, detail));
+        const std::string key = name + " detail " + std::to_string(detail) + with_normals;
+        SharedMesh& shared = meshes[key];
+        if (shared.mesh) return shared;
+        shared.mesh = find_or_make(options.files, &LoadedFiles::shapes, key,
+                                   [&](std::vector<UsedFile>&) { return built_in_mesh(table, read, detail); });
         return shared;
     }
     const std::filesystem::path path = (std::filesystem::path(folder) / name).lexically_normal();
     std::error_code error;
+    if (options.files) options.files->used.push_back(use_file(path.string(), FileUse::presence));
     if (!std::filesystem::exists(path, error)) {
         const bool names_file = path.has_extension() || name.find('/') != std::string::npos;
         const std::string file =
@@ -143,6 +146,13 @@ std::vector<bool> hidden_parts(const Value& table, const raster::Mesh& mesh) {
     return hidden;
 }
 
+/// What stands for the mesh of an object that is off.
+SharedMesh mesh_without_triangles() {
+    const auto mesh = std::make_shared<raster::Mesh>();
+    mesh->parts.resize(1);
+    return {mesh, 0};
+}
+
 void ObjectReader::read_object(const Value& table) {
     ObjectTable read;
     read_keys(table, object_keys(), read);
@@ -153,19 +163,20 @@ void ObjectReader::read_object(const Value& table) {
     Object object;
     object.mesh_name = read.mesh;
     object.casts_shadow = read.casts_shadow;
+    object.on = read.on;
     read.placement.scale_place = place_of(table, "scale");
     read.placement.place = place_of(table, find(table, "translate") ? "translate" : "mesh");
     placements.objects.push_back(read.placement);
     const Value* material = find(table, "material");
     const int chosen = material ? material_named(*material) : -1;
-    const SharedMesh shared = mesh_of(table, read);
+    const SharedMesh shared = read.on ? mesh_of(table, read) : mesh_without_triangles();
     object.mesh = shared.mesh;
     for (const raster::MeshPart& part : shared.mesh->parts) {
         const int own = part.material >= 0 ? shared.first_material + part.material : -1;
         const int index = chosen >= 0 ? chosen : own;
         object.part_material.push_back(index >= 0 ? index : material_of_none());
     }
-    object.part_hidden = hidden_parts(table, *shared.mesh);
+    object.part_hidden = read.on ? hidden_parts(table, *shared.mesh) : std::vector<bool>{true};
     scene.objects.push_back(std::move(object));
 }
 

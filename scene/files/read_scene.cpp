@@ -14,6 +14,7 @@
 #include "scene/files/file_key.hpp"
 #include "scene/files/key_tables.hpp"
 #include "scene/files/load_maps.hpp"
+#include "scene/files/loaded_files.hpp"
 #include "scene/files/overrides.hpp"
 #include "scene/files/place_scene.hpp"
 #include "scene/files/read_environment.hpp"
@@ -172,7 +173,7 @@ Scene build_scene(const Value& root, const std::string& name, const std::string&
     }
     if (const Value* table = find(root, "shadow")) scene.shadow = read_shadow(*table, scene.shading.frequency);
     if (const Value* table = find(root, "environment")) {
-        scene.environment = read_environment(*table, folder, scene.warnings);
+        scene.environment = read_environment(*table, folder, options.files, scene.warnings);
     }
     check_background(root, scene);
     if (const Value* table = find(root, "fog")) read_keys(*table, fog_keys(), scene.fog);
@@ -181,7 +182,7 @@ Scene build_scene(const Value& root, const std::string& name, const std::string&
     warn_of_unworn(root, scene);
     place_scene(placements, scene);
     drop_maps_without_uv(scene);
-    if (!options.maps_later) load_maps(scene, visible_materials(scene));
+    if (!options.maps_later) load_maps(scene, visible_materials(scene), options.files);
     for (const std::string& warning : byte_colors(root)) scene.warnings.push_back(warning);
     for (const std::string& warning : shadow_warnings(scene)) scene.warnings.push_back(name + ": " + warning);
     for (const std::string& warning : view_warnings(scene)) scene.warnings.push_back(name + ": " + warning);
@@ -232,6 +233,7 @@ Scene read_scene_text(const std::string& text, const std::string& name, const st
 }
 
 Scene read_scene(const std::string& path, const ReadOptions& options) {
+    if (options.files) options.files->used.push_back(use_file(path));
     return read_scene_text(read_text_file(path), path, std::filesystem::path(path).parent_path().string(), options);
 }
 

@@ -1,7 +1,6 @@
 // Scene files: TOML in, plain data out; every complaint has file, line, column and a remedy.
 #pragma once
 
-#include <memory>
 #include <span>
 #include <string>
 #include <vector>
@@ -10,14 +9,13 @@
 
 namespace kreda::scene {
 
-struct LoadedMesh;
+struct LoadedFiles;
 
 struct ReadOptions {
-    bool allow_outside = false;                   ///< OBJ and MTL files may name files outside their own folder
-    std::vector<std::string> overrides;           ///< "--set": "camera.position=[0,1,4]", "material.gold.shininess=9"
-    bool maps_later = false;                      ///< load_maps() follows, once it is known which maps are read
-    std::shared_ptr<LoadedMesh> ready = nullptr;  ///< read already, with normals = "file"; an object takes it over
-    std::string ready_path = {};                  ///< its file, absolute
+    bool allow_outside = false;          ///< OBJ and MTL files may name files outside their own folder
+    std::vector<std::string> overrides;  ///< "--set": "camera.position=[0,1,4]", "material.gold.shininess=9"
+    bool maps_later = false;             ///< load_maps() follows, once it is known which maps are read
+    LoadedFiles* files = nullptr;        ///< what is kept from one reading to the next; nullptr: nothing is
 };
 
 /// Read, check and load a scene with all its meshes. Throws UserError.

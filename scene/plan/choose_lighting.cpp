@@ -43,8 +43,8 @@ bool reflects_environment(const Material& material) {
 /// Does the model read a map that is given, and that matters for what is asked?
 bool reads_wanted_map(const Material& material, const Wanted& wanted) {
     const auto matters = [&](const lighting::MapUse& use) {
-        const std::vector<std::string_view>& names = wanted.map_names;
-        const bool asked = names.empty() || std::find(names.begin(), names.end(), use.name) != names.end();
+        const MapNames& names = wanted.map_names;
+        const bool asked = names[0].empty() || std::find(names.begin(), names.end(), use.name) != names.end();
         return asked && is_given(material.maps.*use.map) && reads_map(material.model, use);
     };
     return std::ranges::any_of(lighting::map_uses(), matters);

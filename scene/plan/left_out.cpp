@@ -44,7 +44,7 @@ void add_frequencies(const RenderPlan& plan, LeftOutList& list) {
 }
 
 /// Who wears each of the materials, by name.
-std::vector<std::string> find_wearers(const Scene& scene) {
+std::vector<std::string> collect_wearers(const Scene& scene) {
     std::vector<std::string> wearers(scene.materials.size());
     for (std::size_t o = 0; o < scene.objects.size(); ++o) {
         const std::string name = name_of_object(scene, o);
@@ -66,9 +66,9 @@ void add_unseen(const Scene& scene, const RenderPlan& plan, LeftOutList& list) {
         const SeenObject& object = plan.seen->objects[o];
         list.add(object.samples == 0, name_of_object(scene, o),
                  "none of its " + std::to_string(scene.objects[o].mesh->triangle_count()) +
-                     " triangles is seen: " + why_unseen(object.triangles));
+                     " triangles is seen: " + why_unseen(scene.objects[o], object.triangles));
     }
-    const std::vector<std::string> wearers = find_wearers(scene);
+    const std::vector<std::string> wearers = collect_wearers(scene);
     for (std::size_t m = 0; m < scene.materials.size(); ++m) {
         list.add(!plan.lighting.seen[m], "material " + scene.materials[m].name, worn_by(wearers[m]));
     }
@@ -120,7 +120,8 @@ std::string name_of_object(const Scene& scene, std::size_t object) {
     return "object " + std::to_string(object) + " (" + scene.objects[object].mesh_name + ")";
 }
 
-std::string why_unseen(const raster::TriangleCounts& triangles) {
+std::string why_unseen(const Object& object, const raster::TriangleCounts& triangles) {
+    if (!object.on) return "on = false, so its mesh was not read";
     if (triangles.input == 0) return "all its parts are hidden";
     if (triangles.drawn > 0) return "others stand before it";
     if (triangles.culled == 0 && triangles.outside > 0) return "outside the picture, or between two samples";

@@ -4,6 +4,7 @@
 
 #include "scene/plan/environment_plan.hpp"
 #include "scene/plan/pass_functions.hpp"
+#include "scene/plan/pass_inputs.hpp"
 #include "scene/plan/plan_cost.hpp"
 #include "scene/plan/shadow_words.hpp"
 
@@ -53,7 +54,7 @@ void list_triangles(Listing& list) {
         .buffers = {{list.plan.seen ? "triangles and bins" : "triangles and bins, at most",
                      list.counts.drawn * (sizeof(raster::ScreenTriangle) + sizeof(std::uint16_t))}};
     if (!list.plan.finds_sides) return;
-    list.add(PassScope::frame, find_sides, "sides",
+    list.add(PassScope::frame, judge_sides, "sides",
              "shading.two_sided, and normals that contradict the winding: which side of a triangle is seen",
              side_cost(list.counts));
 }
@@ -64,7 +65,7 @@ void list_shadows(Listing& list) {
     };
     if (list.plan.shadows_by_frame) {
         constexpr std::uint64_t kSample = sizeof(float) + sizeof(glm::vec3) + sizeof(std::uint32_t);
-        list.add(PassScope::frame, find_visible_samples, "visible samples",
+        list.add(PassScope::frame, collect_visible_samples, "visible samples",
                  "shadow.method looks at all samples that are seen, before any is lit", visibility_cost(list.counts))
             .buffers = {{"depth, position and triangle", list.counts.samples * kSample}};
         if (list.plan.seen) list.passes.back().bound = "as for the shadows that ask for it";
@@ -72,8 +73,9 @@ void list_shadows(Listing& list) {
     for (const PlannedShadow& shadow : list.plan.shadows) {
         PlannedPass pass = pass_of(list.scene, shadow, list.plan.viewport);
         pass.scope = PassScope::frame;
-        pass.run = list.plan.shadows_by_frame ? find_frame_shadow : prepare_shadow;
+        pass.run = list.plan.shadows_by_frame ? make_frame_shadow : build_shadow;
         pass.index = number(shadow, list.plan);
+        if (!list.plan.shadows_by_frame) pass.inputs = shadow_inputs(list.scene, shadow);
         if (list.plan.seen) pass.bound = "whether anything that is seen lies in it is known once it is there";
         list.passes.push_back(std::move(pass));
     }
@@ -157,7 +159,7 @@ void list_lighting(Listing& list) {
     list_maps(list);
     if (any_of(chosen.surface)) {
         PlannedPass& pass =
-            list.add(PassScope::points, find_surface, "surface",
+            list.add(PassScope::points, set_surface, "surface",
                      std::string("n and v ") + where_lit(list.plan.frequency), surface_cost(list.plan, list.counts));
         pass.materials = chosen.surface;
         if (list.plan.seen && !list.plan.lit_by_environment) pass.bound = kAsTheLights;

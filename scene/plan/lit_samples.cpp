@@ -81,7 +81,7 @@ void ask_run(Asking& asking, const raster::TileArea& area, const raster::Run& ru
             interpolate_runs(asking.placed.streams, asking.placed.triangles, area, &run, 1, needs,
                              asking.plan.interpolation, look.points);
             look.points.count = run.count;
-            find_directions(look.points, lighting::MaterialSetup{}, asking.setup, look.channels);
+            set_directions(look.points, lighting::MaterialSetup{}, asking.setup, look.channels);
             is_ready = true;
         }
         sample_light(look.points, asking.lights[question.light], look.channels);
@@ -97,7 +97,7 @@ void ask_tile(Asking& asking, int tile, SampleLook& look) {
     const raster::TileArea area = tile_area(triangles.grid, asking.plan.viewport, tile);
     if (!any_triangle_touches(triangles, area)) return;
     rasterize_tile(asking.placed.streams, triangles, area, look.visibility);
-    const int count = find_runs(look.visibility, area, triangles, look.runs);
+    const int count = collect_runs(look.visibility, area, triangles, look.runs);
     for (int r = 0; r < count; ++r) ask_run(asking, area, look.runs[r], look);
 }
 

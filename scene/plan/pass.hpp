@@ -46,6 +46,7 @@ struct PlannedPass {
     int index = -1;          ///< which light that is on, shadow, view or material it is about
     std::string bound = {};  ///< why it may run and change nothing: what is not known before; empty: it does not
     std::vector<bool> materials = {};  ///< those whose batches it works on, by number; empty: all
+    std::string inputs = {};  ///< all that it reads, where what it leaves can be kept for the next frame; else empty
 };
 
 /// Does the pass work on batches of this material?

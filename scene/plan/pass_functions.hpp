@@ -14,13 +14,13 @@ void bake_brdf(const PassWork& work);
 
 // A frame: scene/render/frame_passes.cpp, early_lighting.cpp, shadow_pass.cpp, frame_shadows.cpp, sides.cpp
 void place_vertices(const PassWork& work);
-void prepare_shadow(const PassWork& work);
+void build_shadow(const PassWork& work);
 void light_vertices(const PassWork& work);
 void fog_vertices(const PassWork& work);
 void place_triangles(const PassWork& work);
-void find_sides(const PassWork& work);
-void find_visible_samples(const PassWork& work);
-void find_frame_shadow(const PassWork& work);
+void judge_sides(const PassWork& work);
+void collect_visible_samples(const PassWork& work);
+void make_frame_shadow(const PassWork& work);
 void light_triangles(const PassWork& work);
 
 // A tile: scene/render/tile_pass.cpp
@@ -41,7 +41,7 @@ void show_view(const PassWork& work);
 
 // A batch of points that are lit: scene/render/shade.cpp
 void look_up_maps(const PassWork& work);
-void find_surface(const PassWork& work);
+void set_surface(const PassWork& work);
 void add_environment(const PassWork& work);
 void add_light(const PassWork& work);
 

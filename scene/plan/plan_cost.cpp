@@ -45,21 +45,34 @@ PassCost at_lit_points(const RenderPlan& plan, const PlanCounts& counts, double 
     return {};
 }
 
+/// Operations of one light at one point, by the dearest material that is seen.
+double dearest_reflection(const Scene& scene, const RenderPlan& plan, const lighting::Light& light) {
+    const bool one_half_vector =
+        light.type == lighting::LightType::directional && scene.camera.projection == raster::Projection::orthographic;
+    double dearest = 0.0;
+    for (std::size_t m = 0; m < scene.materials.size(); ++m) {
+        if (plan.lighting.seen[m]) {
+            dearest = std::max(dearest, reflection_operations(scene.materials[m], one_half_vector));
+        }
+    }
+    return dearest;
+}
+
 bool is_of_frame(const PlannedPass& pass) {
     return pass.scope != PassScope::once;
 }
 
 }  // namespace
 
-double reflection_operations(const lighting::Material& material) {
+double reflection_operations(const lighting::Material& material, bool one_half_vector) {
     switch (material.model) {
         case ReflectionModel::unlit: return 0.0;
         case ReflectionModel::lambert: return kPositiveDot + 3.0 + kAddUp;
         case ReflectionModel::phong:
             return kPositiveDot + 3.0 + 12.0 + kPositiveDot + kPowOperations + kPositiveDot + 4.0 + kAddUp;
-        case ReflectionModel::blinn_phong:  // h is the same everywhere for parallel light and a parallel projection,
-                                            // and yet found at every point: one loop for all, 14 operations of 111
-            return kPositiveDot + 3.0 + kHalfVector + kPositiveDot + kPowOperations + kPositiveDot + 4.0 + kAddUp;
+        case ReflectionModel::blinn_phong:
+            return kPositiveDot + 3.0 + (one_half_vector ? 0.0 : kHalfVector) + kPositiveDot + kPowOperations +
+                   kPositiveDot + 4.0 + kAddUp;
         case ReflectionModel::ward:
             return 3.0 * kPositiveDot + kHalfVector + 13.0 + kExpOperations + 15.0 + 7.0 + kAddUp;
         case ReflectionModel::heidrich_seidel: return 2.0 * kDot + 8.0 + kPositiveDot + kPowOperations + 12.0 + kAddUp;
@@ -83,10 +96,6 @@ PlanCounts count(const Scene& scene, const RenderPlan& plan) {
     for (const Object& object : scene.objects) {
         counts.vertices += object.mesh->positions.size();
         counts.triangles += object.mesh->triangle_count();
-    }
-    for (std::size_t m = 0; m < scene.materials.size(); ++m) {
-        if (!plan.lighting.seen[m]) continue;
-        counts.dearest_reflection = std::max(counts.dearest_reflection, reflection_operations(scene.materials[m]));
     }
     counts.drawn = counts.triangles;
     if (plan.seen) {
@@ -171,7 +180,8 @@ PassCost environment_light_cost(const Scene& scene, const RenderPlan& plan, cons
 }
 
 PassCost light_cost(const Scene& scene, const RenderPlan& plan, const PlanCounts& counts, int light) {
-    double operations = light_operations(scene.lights[static_cast<std::size_t>(light)]) + counts.dearest_reflection;
+    const lighting::Light& lamp = scene.lights[static_cast<std::size_t>(light)];
+    double operations = light_operations(lamp) + dearest_reflection(scene, plan, lamp);
     for (const PlannedShadow& shadow : plan.shadows) {
         if (shadow.light == light) operations += shadow_look_up_operations(scene, shadow);
     }

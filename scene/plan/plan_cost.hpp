@@ -21,12 +21,12 @@ struct PlanCounts {
     std::uint64_t drawn = 0;    ///< of them: those that reach the tiles; all of them where that is not known
     std::uint64_t samples = 0;  ///< of the whole picture
     std::uint64_t pixels = 0;
-    double dearest_reflection = 0.0;  ///< operations of one light at one point, by the dearest material that is seen
 };
 [[nodiscard]] PlanCounts count(const Scene& scene, const RenderPlan& plan);
 
-/// Operations that one material's reflection of one light takes at one point, with adding it up.
-[[nodiscard]] double reflection_operations(const lighting::Material& material);
+/// Operations that one material's reflection of one light takes at one point, with adding it up. `one_half_vector`: the
+/// light is directional and the projection parallel, so that Blinn's h is computed once a batch.
+[[nodiscard]] double reflection_operations(const lighting::Material& material, bool one_half_vector = false);
 
 /// Operations that sampling one light takes at one point.
 [[nodiscard]] double light_operations(const lighting::Light& light);

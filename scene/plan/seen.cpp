@@ -52,7 +52,7 @@ void look_at_tile(const Placed& placed, const RenderPlan& plan, int tile, TileLo
     const raster::TileArea area = tile_area(placed.triangles.grid, plan.viewport, tile);
     if (!any_triangle_touches(placed.triangles, area)) return;
     rasterize_tile(placed.streams, placed.triangles, area, look.visibility);
-    const int run_count = find_runs(look.visibility, area, placed.triangles, look.runs);
+    const int run_count = collect_runs(look.visibility, area, placed.triangles, look.runs);
     for (int r = 0; r < run_count; ++r) {
         const raster::Run& run = look.runs[r];
         const std::uint32_t chunk = run.triangle >> raster::kChunkShift;
@@ -173,7 +173,7 @@ void turn_sides(const Scene& scene, const RenderPlan& plan, const Marks& marks, 
     if (!plan.two_sided || plan.frequency == ShadingFrequency::flat) return;
     const Viewer viewer = viewer_of(scene);
     for_each_marked(placed, marks, [&](const raster::TriangleChunk&, raster::ScreenTriangle& triangle) {
-        const bool behind = find_side(placed.streams, viewer, triangle);
+        const bool behind = judge_side(placed.streams, viewer, triangle);
         seen.any_turned |= behind != (triangle.behind != 0);
         triangle.behind = behind;
     });

@@ -75,7 +75,7 @@ bool lies_before_all(const Plane& plane, const ShadowLight& light, const std::ve
     return true;
 }
 
-std::vector<const ObjectExtent*> find_casters(const ShadowLight& light, const std::vector<ObjectExtent>& extents) {
+std::vector<const ObjectExtent*> collect_casters(const ShadowLight& light, const std::vector<ObjectExtent>& extents) {
     std::vector<const ObjectExtent*> casters;
     for (const ObjectExtent& extent : extents) {
         if (!extent.casts) continue;
@@ -140,7 +140,7 @@ bool fit_around(const shadows::ShadowSettings& settings, const std::vector<const
 }
 
 /// The flat objects, of which one sees something.
-std::vector<ShadowReceiver> find_receivers(const std::vector<ObjectExtent>& extents) {
+std::vector<ShadowReceiver> collect_receivers(const std::vector<ObjectExtent>& extents) {
     std::vector<ShadowReceiver> receivers;
     for (const ObjectExtent& extent : extents) {
         std::vector<std::uint32_t> indices(extent.points.size());
@@ -178,7 +178,7 @@ ShadowPlan plan_shadows(const Scene& scene, bool only_visible, const std::vector
         shadow.light_that_is_on = light_that_is_on;
         shadow.source = source_of(light);
         shadow.map.settings = scene.shadow;
-        std::vector<const ObjectExtent*> casters = find_casters(shadow.source, extents);
+        std::vector<const ObjectExtent*> casters = collect_casters(shadow.source, extents);
         const bool needed = shadow.source.kind == LightKind::directional
                                 ? fit_directional(scene.shadow, extents, casters, shadow)
                                 : fit_around(scene.shadow, casters, shadow);
@@ -187,7 +187,7 @@ ShadowPlan plan_shadows(const Scene& scene, bool only_visible, const std::vector
                                    " has shadow = true, but nothing can cast onto what is seen");
             continue;
         }
-        if (scene.shadow.method == shadows::ShadowMethod::planar) shadow.receivers = find_receivers(extents);
+        if (scene.shadow.method == shadows::ShadowMethod::planar) shadow.receivers = collect_receivers(extents);
         for (const ObjectExtent* caster : casters) shadow.casters.push_back(caster->object);
         plan.shadows.push_back(std::move(shadow));
     }

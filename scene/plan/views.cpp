@@ -2,10 +2,8 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
 #include "lighting/batch/ward_passes.hpp"
-#include "raster/film.hpp"
 #include "scene/plan/plan.hpp"
 
 namespace kreda::scene {
@@ -130,6 +128,33 @@ float fraction_of(const raster::Channel& coordinate, int i) {
     return coordinate.at(i) - std::floor(coordinate.at(i));
 }
 
+/// What material maps give; those maps alone are read.
+constexpr Wanted from_maps(MapNames names) {
+    return {.maps = true, .map_names = names};
+}
+
+// How far the pipeline must go for a view.
+constexpr Wanted kNoLight{};
+constexpr Wanted kMaps{.maps = true};
+constexpr Wanted kViewer{.surface = true, .position = true};
+constexpr Wanted kSurface{.maps = true, .surface = true, .map_names = {"normal"}};
+constexpr Wanted kLamp{.position = true, .last_lamp = true};
+constexpr Wanted kShadowedLamp{.position = true, .shadows = true, .last_lamp = true};
+constexpr Wanted kLampOnSurface{
+    .maps = true, .surface = true, .position = true, .map_names = {"normal"}, .last_lamp = true};
+constexpr Wanted kMicrofacets{.maps = true,
+                              .surface = true,
+                              .position = true,
+                              .map_names = {"normal", "albedo", "metallic", "roughness"},
+                              .last_lamp = true};
+constexpr Wanted kShadow{.position = true, .shadows = true, .last_shadow = true};
+constexpr Wanted kFromEnvironment{.maps = true, .surface = true, .position = true, .environment = true};
+constexpr Wanted kAmbient{.maps = true, .surface = true, .position = true, .effects = true, .environment = true};
+constexpr Wanted kFromLamps{
+    .maps = true, .surface = true, .position = true, .effects = true, .shadows = true, .lamps = true};
+constexpr Wanted kPicture{.radiance = true, .maps = true, .surface = true, .position = true};
+constexpr Wanted kFogAlone{.fog = true};
+
 std::vector<View> make_views() {
     using enum ViewScale;
     constexpr raster::FragmentNeeds kNothing{};
@@ -137,117 +162,103 @@ std::vector<View> make_views() {
     constexpr raster::FragmentNeeds kUv{.uv = true};
     return {
         {"radiance", "what leaves toward the viewer, fog included: the picture itself", kAnything, 3, radiance,
-         kNothing, always, [](const Batch& b, int i, int c) { return b.lighting.radiance.at(i)[c]; }},
-        {"depth", "window depth: 0 at the near plane, 1 at the far plane", kAnything, 1, range, kNothing, always,
-         nullptr, 1.0f},
-        {"position", "world position", kAnything, 3, range, kPosition, always,
+         kNothing, kPicture, always, [](const Batch& b, int i, int c) { return b.lighting.radiance.at(i)[c]; }},
+        {"depth", "window depth: 0 at the near plane, 1 at the far plane", kAnything, 1, range, kNothing, kNoLight,
+         always, nullptr, 1.0f},
+        {"position", "world position", kAnything, 3, range, kPosition, kNoLight, always,
          [](const Batch& b, int i, int c) { return b.points.position.at(i)[c]; }},
-        {"uv", "texture coordinates, their fractions: red u, green v", kAnything, 3, share, kUv, always,
+        {"uv", "texture coordinates, their fractions: red u, green v", kAnything, 3, share, kUv, kNoLight, always,
          [](const Batch& b, int i, int c) { return c == 2 ? 0.0f : fraction_of(c == 0 ? b.points.u : b.points.v, i); }},
-        {"level", "level of detail at which the colour map is read: 0 finest", kLevel, 1, range, kNothing, has_level,
-         [](const Batch& b, int i, int) { return std::max(b.lighting.level.at(i), 0.0f); }},
-        {"diffuse_map", "m_D as the map gives it", kMap, 3, color, kNothing, has_diffuse_map,
+        {"level", "level of detail at which the colour map is read: 0 finest", kLevel, 1, range, kNothing, kMaps,
+         has_level, [](const Batch& b, int i, int) { return std::max(b.lighting.level.at(i), 0.0f); }},
+        {"diffuse_map", "m_D as the map gives it", kMap, 3, color, kNothing, from_maps({"diffuse"}), has_diffuse_map,
          [](const Batch& b, int i, int c) { return b.lighting.m_D.at(i)[c]; }},
         {"emission_map", "what the emission map says; m_E is emission times it", kMap, 3, radiance, kNothing,
-         has_emission_map, [](const Batch& b, int i, int c) { return b.lighting.map_emission.at(i)[c]; }},
+         from_maps({"emission"}), has_emission_map,
+         [](const Batch& b, int i, int c) { return b.lighting.map_emission.at(i)[c]; }},
         {"normal_map", "the map's vector, in the surface's directions t, b, n", kMap, 3, direction, kNothing,
-         has_normal_map, [](const Batch& b, int i, int c) { return b.lighting.map_normal.at(i)[c]; }},
-        {"normal", "n: unit normal, world space", kLit, 3, direction, kNothing, lit_at_pixels,
+         from_maps({"normal"}), has_normal_map,
+         [](const Batch& b, int i, int c) { return b.lighting.map_normal.at(i)[c]; }},
+        {"normal", "n: unit normal, world space", kLit, 3, direction, kNothing, kSurface, lit_at_pixels,
          [](const Batch& b, int i, int c) { return b.lighting.n.at(i)[c]; }},
-        {"to_viewer", "v: unit, to the viewer", kLit, 3, direction, kNothing, lit_at_pixels,
+        {"to_viewer", "v: unit, to the viewer", kLit, 3, direction, kNothing, kViewer, lit_at_pixels,
          [](const Batch& b, int i, int c) { return b.lighting.v.at(i)[c]; }},
-        {"grain", "t: unit, the way scratches or threads run, world space", kGrain, 3, direction, kNothing, has_grain,
-         [](const Batch& b, int i, int c) { return b.lighting.t.at(i)[c]; }},
-        {"albedo", "c: base colour", kMicrofacet, 3, color, kNothing, is_microfacet,
+        {"grain", "t: unit, the way scratches or threads run, world space", kGrain, 3, direction, kNothing, kSurface,
+         has_grain, [](const Batch& b, int i, int c) { return b.lighting.t.at(i)[c]; }},
+        {"albedo", "c: base colour", kMicrofacet, 3, color, kNothing, from_maps({"albedo"}), is_microfacet,
          [](const Batch& b, int i, int c) { return b.lighting.microfacet.albedo.at(i)[c]; }},
-        {"metallic", "0 dielectric .. 1 metal", kMicrofacet, 1, share, kNothing, is_microfacet,
+        {"metallic", "0 dielectric .. 1 metal", kMicrofacet, 1, share, kNothing, from_maps({"metallic"}), is_microfacet,
          [](const Batch& b, int i, int) { return b.lighting.microfacet.metallic.at(i); }},
-        {"roughness", "0 smooth .. 1 rough", kMicrofacet, 1, share, kNothing, is_microfacet,
+        {"roughness", "0 smooth .. 1 rough", kMicrofacet, 1, share, kNothing, from_maps({"roughness"}), is_microfacet,
          [](const Batch& b, int i, int) { return b.lighting.microfacet.roughness.at(i); }},
-        {"ao", "share of the environment's light that arrives", kMicrofacet, 1, share, kNothing, is_microfacet,
-         [](const Batch& b, int i, int) { return b.lighting.microfacet.ao.at(i); }},
-        {"f0", "F0: reflectance at normal incidence", kMicrofacet, 3, color, kNothing, is_microfacet,
+        {"ao", "share of the environment's light that arrives", kMicrofacet, 1, share, kNothing, from_maps({"ao"}),
+         is_microfacet, [](const Batch& b, int i, int) { return b.lighting.microfacet.ao.at(i); }},
+        {"f0", "F0: reflectance at normal incidence", kMicrofacet, 3, color, kNothing,
+         from_maps({"albedo", "metallic"}), is_microfacet,
          [](const Batch& b, int i, int c) { return b.lighting.microfacet.f0.at(i)[c]; }},
-        {"to_light", "l: unit, to the last light that is on", kLights, 3, direction, kNothing, lit_by_lights,
+        {"to_light", "l: unit, to the last light that is on", kLights, 3, direction, kNothing, kLamp, lit_by_lights,
          [](const Batch& b, int i, int c) { return b.lighting.l.at(i)[c]; }},
         {"light_irradiance", "s: what arrives of the last light that is on, on a plane facing it", kLights, 3, radiance,
-         kNothing, lit_by_lights, [](const Batch& b, int i, int c) { return b.lighting.irradiance.at(i)[c]; }},
+         kNothing, kShadowedLamp, lit_by_lights,
+         [](const Batch& b, int i, int c) { return b.lighting.irradiance.at(i)[c]; }},
         {"n_dot_l", "max(n.l, 0): Lambert's cosine, of the last light that is on", kLights, 1, share, kNothing,
-         lit_by_lights, [](const Batch& b, int i, int) { return raster::saturate(b.lighting.n_dot_l.at(i)); }},
+         kLampOnSurface, lit_by_lights,
+         [](const Batch& b, int i, int) { return raster::saturate(b.lighting.n_dot_l.at(i)); }},
         {"sigma", "Sigma: max(v.r, 0) or max(n.h, 0), of the last light that is on", kShiny, 1, share, kNothing,
-         is_shiny, [](const Batch& b, int i, int) { return b.lighting.sigma.at(i); }},
+         kLampOnSurface, is_shiny, [](const Batch& b, int i, int) { return b.lighting.sigma.at(i); }},
         {"highlight", "Sigma^h of the last light that is on, 0 where the surface faces away from it", kShiny, 1, share,
-         kNothing, is_shiny, [](const Batch& b, int i, int) { return b.lighting.highlight.at(i); }},
-        {"shadow", "1 lit .. 0 in shadow, of the last light that casts shadows", kShadows, 1, share, kNothing,
+         kNothing, kLampOnSurface, is_shiny, [](const Batch& b, int i, int) { return b.lighting.highlight.at(i); }},
+        {"shadow", "1 lit .. 0 in shadow, of the last light that casts shadows", kShadows, 1, share, kNothing, kShadow,
          in_shadows, [](const Batch& b, int i, int) { return b.lighting.shadow.at(i); }},
         {"blocker_distance", "how far before the point lies what keeps that light from it", kBlockers, 1, range,
-         kNothing, finds_blockers, [](const Batch& b, int i, int) { return b.lighting.blocker_distance.at(i); }},
+         kNothing, kShadow, finds_blockers,
+         [](const Batch& b, int i, int) { return b.lighting.blocker_distance.at(i); }},
         {"penumbra", "width of the soft edge of that shadow (shadow.filter = \"pcss\")", kBlockers, 1, range, kNothing,
-         finds_blockers, [](const Batch& b, int i, int) { return b.lighting.penumbra.at(i); }},
+         kShadow, finds_blockers, [](const Batch& b, int i, int) { return b.lighting.penumbra.at(i); }},
         {"D", "microfacets that face the half vector, of the last light that is on [1/sr]", kLitMicrofacet, 1, range,
-         kNothing, is_lit_microfacet, [](const Batch& b, int i, int) { return b.lighting.microfacet.D.at(i); }},
-        {"V", "V = G / (4 (n.l)(n.v)) of the last light that is on", kLitMicrofacet, 1, range, kNothing,
+         kNothing, kMicrofacets, is_lit_microfacet,
+         [](const Batch& b, int i, int) { return b.lighting.microfacet.D.at(i); }},
+        {"V", "V = G / (4 (n.l)(n.v)) of the last light that is on", kLitMicrofacet, 1, range, kNothing, kMicrofacets,
          is_lit_microfacet, [](const Batch& b, int i, int) { return b.lighting.microfacet.V.at(i); }},
         {"G", "share of the microfacets that light and viewer both see, of the last light that is on", kLitMicrofacet,
-         1, share, kNothing, is_lit_microfacet,
+         1, share, kNothing, kMicrofacets, is_lit_microfacet,
          [](const Batch& b, int i, int) { return geometry_from_visibility(b.lighting.microfacet, i); }},
         {"F", "Fresnel reflectance at v.h, of the last light that is on", kLitMicrofacet, 3, color, kNothing,
-         is_lit_microfacet, [](const Batch& b, int i, int c) { return b.lighting.microfacet.F.at(i)[c]; }},
+         kMicrofacets, is_lit_microfacet,
+         [](const Batch& b, int i, int c) { return b.lighting.microfacet.F.at(i)[c]; }},
         {"irradiance", "E: what the environment sends to a plane of this normal", kSplitSum, 3, radiance, kNothing,
-         in_split_sum, [](const Batch& b, int i, int c) { return b.lighting.environment.irradiance.at(i)[c]; }},
+         kFromEnvironment, in_split_sum,
+         [](const Batch& b, int i, int c) { return b.lighting.environment.irradiance.at(i)[c]; }},
         {"prefilter", "P: the environment around the mirror direction, blurred as the surface is rough", kMirror, 3,
-         radiance, kNothing, mirrors_environment,
+         radiance, kNothing, kFromEnvironment, mirrors_environment,
          [](const Batch& b, int i, int c) { return b.lighting.environment.prefiltered.at(i)[c]; }},
         {"brdf", "A and B: scale (red) and bias (green) of F0 in the split sum", kMirror, 3, share, kNothing,
-         mirrors_environment,
+         kFromEnvironment, mirrors_environment,
          [](const Batch& b, int i, int c) { return c < 2 ? b.lighting.environment.brdf.at(i)[c] : 0.0f; }},
         {"fresnel", "Fresnel reflectance at n.v, as the environment sees it", kMirror, 3, color, kNothing,
-         mirrors_environment, [](const Batch& b, int i, int c) { return b.lighting.environment.F.at(i)[c]; }},
+         kFromEnvironment, mirrors_environment,
+         [](const Batch& b, int i, int c) { return b.lighting.environment.F.at(i)[c]; }},
         {"environment_diffuse", "diffuse reflection of the environment", kEnvironment, 3, radiance, kNothing,
-         in_environment, [](const Batch& b, int i, int c) { return b.lighting.environment.diffuse.at(i)[c]; }},
+         kFromEnvironment, in_environment,
+         [](const Batch& b, int i, int c) { return b.lighting.environment.diffuse.at(i)[c]; }},
         {"environment_specular", "specular reflection of the environment", kEnvironment, 3, radiance, kNothing,
-         in_environment, [](const Batch& b, int i, int c) { return b.lighting.environment.specular.at(i)[c]; }},
+         kFromEnvironment, in_environment,
+         [](const Batch& b, int i, int c) { return b.lighting.environment.specular.at(i)[c]; }},
         {"environment_error",
          "standard error of the samples' sum, luminance (of a white surface where the material has no highlight)",
-         kSamples, 1, range, kNothing, in_sum_of_samples,
+         kSamples, 1, range, kNothing, kFromEnvironment, in_sum_of_samples,
          [](const Batch& b, int i, int) { return b.lighting.environment.error.at(i); }},
         {"ambient", "s_A m_A + m_E and the environment: what is there without any light", kLit, 3, radiance, kNothing,
-         lit_at_pixels, [](const Batch& b, int i, int c) { return b.lighting.ambient.at(i)[c]; }},
-        {"diffuse", "diffuse reflection of all lights", kLit, 3, radiance, kNothing, lit_at_pixels,
+         kAmbient, lit_at_pixels, [](const Batch& b, int i, int c) { return b.lighting.ambient.at(i)[c]; }},
+        {"diffuse", "diffuse reflection of all lights", kLit, 3, radiance, kNothing, kFromLamps, lit_at_pixels,
          [](const Batch& b, int i, int c) { return b.lighting.diffuse.at(i)[c]; }},
-        {"specular", "specular reflection of all lights", kLit, 3, radiance, kNothing, lit_at_pixels,
+        {"specular", "specular reflection of all lights", kLit, 3, radiance, kNothing, kFromLamps, lit_at_pixels,
          [](const Batch& b, int i, int c) { return b.lighting.specular.at(i)[c]; }},
-        {"light", "diffuse + specular of all lights", kLit, 3, radiance, kNothing, lit_at_pixels,
+        {"light", "diffuse + specular of all lights", kLit, 3, radiance, kNothing, kFromLamps, lit_at_pixels,
          [](const Batch& b, int i, int c) { return b.lighting.diffuse.at(i)[c] + b.lighting.specular.at(i)[c]; }},
-        {"fog", "f: 1 clear .. 0 nothing but fog", kFog, 1, share, kNothing, in_fog,
+        {"fog", "f: 1 clear .. 0 nothing but fog", kFog, 1, share, kNothing, kFogAlone, in_fog,
          [](const Batch& b, int i, int) { return b.lighting.fog.at(i); }},
     };
-}
-
-/// Range of the values that are not background.
-ValueRange range_of(const float* values, std::size_t count, float background) {
-    ValueRange found{std::numeric_limits<float>::max(), std::numeric_limits<float>::lowest()};
-    for (std::size_t i = 0; i < count; ++i) {
-        if (values[i] == background || !std::isfinite(values[i])) continue;
-        found.least = std::min(found.least, values[i]);
-        found.greatest = std::max(found.greatest, values[i]);
-    }
-    return found.least <= found.greatest ? found : ValueRange{background, background};
-}
-
-float in_range(float x, const ValueRange& range) {
-    const float width = range.greatest - range.least;
-    return width > 0.0f ? raster::saturate((x - range.least) / width) : 0.5f;
-}
-
-template <class Map>
-raster::Image map_values(const raster::Image& values, Map map) {
-    raster::Image result = values;
-    for (int c = 0; c < values.channels; ++c) {
-        float* plane = result.plane(c);
-        for (std::size_t i = 0; i < result.plane_size(); ++i) plane[i] = map(plane[i], c);
-    }
-    return result;
 }
 
 }  // namespace
@@ -262,25 +273,6 @@ const View* find_view(std::string_view name) {
         if (view.name == name) return &view;
     }
     return nullptr;
-}
-
-ViewPicture picture_of(const View& view, const raster::Image& values, const Scene& scene) {
-    switch (view.scale) {
-        case ViewScale::radiance: return {develop(values, film_settings(scene.image)), {}};
-        case ViewScale::color: return {develop(values, {}), {}};
-        case ViewScale::share: return {map_values(values, [](float x, int) { return raster::saturate(x); }), {}};
-        case ViewScale::direction:
-            return {map_values(values, [](float x, int) { return raster::saturate(0.5f * x + 0.5f); }), {}};
-        case ViewScale::range: break;
-    }
-    ViewPicture picture;
-    for (int c = 0; c < values.channels; ++c) {
-        picture.ranges.push_back(range_of(values.plane(c), values.plane_size(), view.background));
-    }
-    picture.encoded = map_values(values, [&](float x, int c) {
-        return x == view.background ? raster::saturate(x) : in_range(x, picture.ranges[static_cast<std::size_t>(c)]);
-    });
-    return picture;
 }
 
 }  // namespace kreda::scene

@@ -10,6 +10,7 @@
 #include "lighting/batch/channels.hpp"
 #include "raster/fragments.hpp"
 #include "raster/image.hpp"
+#include "scene/plan/wanted.hpp"
 
 namespace kreda::scene {
 
@@ -38,6 +39,7 @@ struct View {
     int components = 1;              ///< 1 or 3
     ViewScale scale = ViewScale::share;
     raster::FragmentNeeds needs;  ///< attributes that must be interpolated for it
+    Wanted wanted;                ///< what must be computed for it
     /// Do the passes of this plan write it for points of this material (an index into plan.materials)?
     bool (*holds)(const RenderPlan& plan, std::uint32_t material) = nullptr;
     /// Its value at point i of the batch. nullptr: the depth buffer, which is no channel of a batch.

@@ -31,7 +31,7 @@ void place_triangles(const PassWork& work) {
 }
 
 /// Of every triangle that reached the tiles: the answer is ScreenTriangle::behind.
-void find_sides(const PassWork& work) {
+void judge_sides(const PassWork& work) {
     const lighting::LightingSetup& lighting = work.frame.lighting;
     const Viewer viewer{lighting.eye, lighting.forward, lighting.orthographic};
     std::vector<raster::TriangleChunk>& chunks = work.frame.buffers.triangles.chunks;
@@ -39,7 +39,7 @@ void find_sides(const PassWork& work) {
 #pragma omp parallel for schedule(dynamic) if (chunk_count > 1)
     for (int i = 0; i < chunk_count; ++i) {
         for (raster::ScreenTriangle& triangle : chunks[static_cast<std::size_t>(i)].triangles) {
-            triangle.behind = find_side(work.frame.buffers.streams, viewer, triangle);
+            triangle.behind = judge_side(work.frame.buffers.streams, viewer, triangle);
         }
     }
 }

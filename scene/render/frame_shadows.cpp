@@ -52,13 +52,13 @@ void find_planar(const Frame& frame, const PlannedShadow& planned, const Occlude
 
 void find_volume_shadow(const Frame& frame, const PlannedShadow& planned, const Occluders& occluders,
                         std::vector<float>& factor) {
-    volume_shadow(find_volume_casters(frame, planned, occluders), planned.source, frame.buffers.visible.samples(),
+    volume_shadow(collect_volume_casters(frame, planned, occluders), planned.source, frame.buffers.visible.samples(),
                   factor);
 }
 
 }  // namespace
 
-Occluders find_occluders(const Frame& frame, const std::vector<int>& objects) {
+Occluders collect_occluders(const Frame& frame, const std::vector<int>& objects) {
     Occluders occluders;
     occluders.indices.resize(objects.size());
     for (std::size_t i = 0; i < objects.size(); ++i) {
@@ -72,8 +72,8 @@ Occluders find_occluders(const Frame& frame, const std::vector<int>& objects) {
     return occluders;
 }
 
-std::vector<shadows::VolumeCaster> find_volume_casters(const Frame& frame, const PlannedShadow& planned,
-                                                       const Occluders& occluders) {
+std::vector<shadows::VolumeCaster> collect_volume_casters(const Frame& frame, const PlannedShadow& planned,
+                                                          const Occluders& occluders) {
     std::vector<shadows::VolumeCaster> casters;
     for (std::size_t i = 0; i < planned.casters.size(); ++i) {
         const MeshInstance& instance = frame.buffers.instances[static_cast<std::size_t>(planned.casters[i])];
@@ -83,17 +83,17 @@ std::vector<shadows::VolumeCaster> find_volume_casters(const Frame& frame, const
     return casters;
 }
 
-void find_visible_samples(const PassWork& work) {
+void collect_visible_samples(const PassWork& work) {
     const Frame& frame = work.frame;
     shadows::find_visible(frame.buffers.streams, frame.buffers.triangles, frame.plan.interpolation, frame.plan.viewport,
                           frame.clip_from_world, frame.buffers.visible);
 }
 
-void find_frame_shadow(const PassWork& work) {
+void make_frame_shadow(const PassWork& work) {
     const Frame& frame = work.frame;
     if (frame.buffers.visible.depth.empty()) return;
     const PlannedShadow& planned = frame.plan.shadows[static_cast<std::size_t>(work.pass.index)];
-    const Occluders occluders = find_occluders(frame, planned.casters);
+    const Occluders occluders = collect_occluders(frame, planned.casters);
     std::vector<float>& factor = frame.buffers.shadows[static_cast<std::size_t>(work.pass.index)].factor;
     factor.assign(frame.buffers.visible.depth.size(), 1.0f);
     switch (planned.map.settings.method) {

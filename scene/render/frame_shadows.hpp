@@ -1,5 +1,5 @@
 // Shadows that are found for all visible samples of a frame at once: planar, volume, irregular. The passes are
-// find_visible_samples() and find_frame_shadow(): one factor a sample in the memory of a planned shadow.
+// collect_visible_samples() and make_frame_shadow(): one factor a sample in the memory of a planned shadow.
 #pragma once
 
 #include <vector>
@@ -16,10 +16,11 @@ struct Occluders {
     std::vector<shadows::Occluder> list;
     std::vector<std::vector<std::uint32_t>> indices;  ///< of those that have hidden parts
 };
-[[nodiscard]] Occluders find_occluders(const Frame& frame, const std::vector<int>& objects);
+[[nodiscard]] Occluders collect_occluders(const Frame& frame, const std::vector<int>& objects);
 
 /// The same for shadow volumes, each with its vertices in the camera's clip space.
-[[nodiscard]] std::vector<shadows::VolumeCaster> find_volume_casters(const Frame& frame, const PlannedShadow& planned,
-                                                                     const Occluders& occluders);
+[[nodiscard]] std::vector<shadows::VolumeCaster> collect_volume_casters(const Frame& frame,
+                                                                        const PlannedShadow& planned,
+                                                                        const Occluders& occluders);
 
 }  // namespace kreda::scene

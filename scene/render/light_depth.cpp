@@ -24,6 +24,7 @@ const View& light_depth_view() {
         .components = 1,
         .scale = ViewScale::range,
         .needs = {},
+        .wanted = {.radiance = true, .maps = true, .surface = true, .position = true},
         .holds = has_map,
         .value = nullptr,
         .background = std::numeric_limits<float>::infinity(),

@@ -73,11 +73,11 @@ lighting::LightingSetup make_lighting(const Scene& scene, const RenderPlan& plan
 }
 
 /// One TileScratch a thread, times and counts at zero.
-void prepare_scratch(const RenderPlan& plan, RenderBuffers& buffers) {
+void fit_scratch(const RenderPlan& plan, RenderBuffers& buffers) {
     buffers.scratch.resize(static_cast<std::size_t>(thread_count()));
     for (std::unique_ptr<TileScratch>& scratch : buffers.scratch) {
         if (!scratch) scratch = std::make_unique<TileScratch>();
-        prepare_scratch(plan, *scratch);
+        fit_scratch(plan, *scratch);
     }
 }
 
@@ -97,12 +97,33 @@ void prepare_pictures(const Scene& scene, const RenderPlan& plan, RenderBuffers&
     }
 }
 
+/// What the frame before left of a shadow goes where the plan has that shadow now.
+void arrange_kept(const RenderPlan& plan, RenderBuffers& buffers) {
+    std::vector<ShadowMemory>& kept = buffers.shadows;
+    for (const PlannedPass& pass : plan.passes) {
+        if (pass.run != build_shadow || pass.inputs.empty()) continue;
+        const auto place = static_cast<std::size_t>(pass.index);
+        if (place < kept.size() && kept[place].inputs == pass.inputs) continue;
+        const auto found = std::find_if(kept.begin(), kept.end(),
+                                        [&](const ShadowMemory& memory) { return memory.inputs == pass.inputs; });
+        if (found == kept.end()) continue;
+        if (place >= kept.size()) {
+            const auto number = found - kept.begin();
+            kept.resize(place + 1);
+            std::swap(kept[place], kept[static_cast<std::size_t>(number)]);
+        } else {
+            std::swap(kept[place], *found);
+        }
+    }
+}
+
 /// Everything that the passes write has its place before the first of them runs.
 void prepare_buffers(const Scene& scene, const RenderPlan& plan, RenderBuffers& buffers) {
     buffers.instances = make_instances(scene);
     if (plan.draws_objects) lay_out_vertices(buffers.instances, plan.vertex, buffers.streams);
     buffers.triangles.grid = raster::make_tile_grid(plan.viewport, plan.samples);
     buffers.triangles.chunks.resize(plan.draws_objects ? buffers.triangles.chunks.size() : 0);
+    if (buffers.keeps_results) arrange_kept(plan, buffers);
     buffers.shadows.resize(plan.shadows.size());
     prepare_pictures(scene, plan, buffers);
 }
@@ -132,15 +153,15 @@ RenderStatistics render(const Scene& scene, const RenderPlan& plan, RenderBuffer
     const ThreadLimit limit(threads);
     RenderStatistics statistics;
     lighting::LightingSetup lighting;
-    prepare_scratch(plan, buffers);
+    fit_scratch(plan, buffers);
     const Frame frame{scene,
                       plan,
                       lighting,
                       buffers,
                       statistics,
                       raster::clip_from_world(scene.camera, raster::aspect_of(scene.image.width, scene.image.height)),
-                      find_tile_passes(plan),
-                      find_lighting_passes(plan),
+                      tile_passes_of(plan),
+                      lighting_passes_of(plan),
                       pass_that_lights(plan)};
     begin_baking(scene, plan, buffers);
     walk_baking(frame, statistics.times);

@@ -27,7 +27,8 @@ struct Baking {
     std::shared_ptr<PreparedEnvironment> prepared;
 };
 
-/// The memory of a frame. Keep it from frame to frame and nothing is allocated twice.
+/// The memory of a frame. Keep it from frame to frame and nothing is allocated twice; with `keeps_results` nothing that
+/// a frame before left is computed twice, either: passes whose inputs are equal do not run (PlannedPass::inputs).
 struct RenderBuffers {
     RenderBuffers();
     ~RenderBuffers();
@@ -42,8 +43,9 @@ struct RenderBuffers {
     std::vector<std::vector<glm::vec3>> flat_color;     ///< flat shading: one a triangle, chunk by chunk
     std::vector<std::unique_ptr<TileScratch>> scratch;  ///< one a thread
     std::shared_ptr<const PreparedEnvironment>
-        environment;                   ///< baked by the first frame that needs it, unless it is there
-    std::unique_ptr<Baking> baking;    ///< while the passes bake
+        environment;                 ///< baked by the first frame that needs it, unless it is there
+    std::unique_ptr<Baking> baking;  ///< while the passes bake
+    bool keeps_results = false;
     raster::Image film;                ///< linear RGB radiance, row 0 on top
     std::vector<raster::Image> views;  ///< one for each of the plan's views, as large as the film
     std::vector<int> tile_order;       ///< tests shuffle the tiles; empty: row by row

@@ -43,8 +43,8 @@ void look_up_maps(const PassWork& work) {
     lighting::apply_maps(*work.points, surface_of(work), *work.channels);
 }
 
-void find_surface(const PassWork& work) {
-    lighting::find_directions(*work.points, surface_of(work), work.frame.lighting, *work.channels);
+void set_surface(const PassWork& work) {
+    lighting::set_directions(*work.points, surface_of(work), work.frame.lighting, *work.channels);
 }
 
 void add_environment(const PassWork& work) {
@@ -60,7 +60,7 @@ void add_light(const PassWork& work) {
     // A view, or whoever stops at one point, looks at a light's quantities even where it adds nothing.
     const bool looked_at = has_views || count == 1;
     if (!looked_at && !lighting::any_faces_light(count, *work.channels)) return;
-    if (find_shadow(frame, work.pass.index, *work.points, *work.channels)) {
+    if (set_shadow(frame, work.pass.index, *work.points, *work.channels)) {
         lighting::shadow_light(count, *work.channels);
     }
     using enum lighting::LeaveChannels;

@@ -19,12 +19,19 @@ void look_up(const RenderPlan& plan, const shadows::ShadowMap& map, const raster
 
 }  // namespace
 
-void prepare_shadow(const PassWork& work) {
+void build_shadow(const PassWork& work) {
     const Frame& frame = work.frame;
     const PlannedShadow& planned = frame.plan.shadows[static_cast<std::size_t>(work.pass.index)];
     ShadowMemory& memory = frame.buffers.shadows[static_cast<std::size_t>(work.pass.index)];
+    const bool is_kept = frame.buffers.keeps_results && !work.pass.inputs.empty() && memory.inputs == work.pass.inputs;
+    if (is_kept) return;
+    memory.inputs = work.pass.inputs;
+    memory.meshes.clear();
+    for (const int object : planned.casters) {
+        memory.meshes.push_back(frame.scene.objects[static_cast<std::size_t>(object)].mesh);
+    }
     if (planned.map.settings.method == shadows::ShadowMethod::exact) {
-        memory.exact = prepare_exact(find_occluders(frame, planned.casters).list, planned.source);
+        memory.exact = build_exact_shadow(collect_occluders(frame, planned.casters).list, planned.source);
         memory.is_exact_ready = true;
         return;
     }
@@ -48,8 +55,8 @@ bool is_prepared(const ShadowMemory& memory, shadows::ShadowMethod method) {
 
 }  // namespace
 
-bool find_shadow(const Frame& frame, int light_that_is_on, const raster::Fragments& points,
-                 lighting::LightingChannels& channels) {
+bool set_shadow(const Frame& frame, int light_that_is_on, const raster::Fragments& points,
+                lighting::LightingChannels& channels) {
     for (std::size_t i = 0; i < frame.plan.shadows.size(); ++i) {
         if (frame.plan.shadows[i].light_that_is_on != light_that_is_on) continue;
         const ShadowMemory& memory = frame.buffers.shadows[i];

@@ -145,7 +145,7 @@ void render_tile(const Frame& frame, int tile_index, TileScratch& scratch) {
             passes[p].run({frame, passes[p], scratch, area});
             scratch.clock.lap(number_of(frame, passes[p++]));
         } else {
-            const std::span<const PlannedPass> batch = find_batch_passes(passes.subspan(p));
+            const std::span<const PlannedPass> batch = batch_passes_of(passes.subspan(p));
             walk_runs(frame, area, batch, scratch);
             p += batch.size();
         }
@@ -180,7 +180,7 @@ void render_tiles(const Frame& frame) {
     }
 }
 
-void prepare_scratch(const RenderPlan& plan, TileScratch& scratch) {
+void fit_scratch(const RenderPlan& plan, TileScratch& scratch) {
     const bool points = std::any_of(plan.passes.begin(), plan.passes.end(), works_on_points);
     if (points && !scratch.fragments) scratch.fragments = std::make_unique<raster::Fragments>();
     if ((points || plan.environment_background) && !scratch.lighting) {
@@ -199,7 +199,7 @@ void find_nearest(const PassWork& work) {
     const bool depth_is_shown = !frame.plan.views.empty();
     if (!depth_is_shown && !any_triangle_touches(frame.buffers.triangles, work.area)) return;
     rasterize_tile(frame.buffers.streams, frame.buffers.triangles, work.area, scratch.visibility);
-    scratch.run_count = find_runs(scratch.visibility, work.area, frame.buffers.triangles, scratch.runs);
+    scratch.run_count = collect_runs(scratch.visibility, work.area, frame.buffers.triangles, scratch.runs);
     scratch.samples_shaded += static_cast<std::uint64_t>(samples_of(scratch.runs, scratch.run_count));
 }
 

@@ -46,6 +46,6 @@ void work_batch(const Frame& frame, const raster::TileArea& area, std::span<cons
                 const raster::Run* runs, int count, TileScratch& scratch);
 
 /// Make the thread's memory ready for a frame: what the plan's passes work on is there, times and counts at zero.
-void prepare_scratch(const RenderPlan& plan, TileScratch& scratch);
+void fit_scratch(const RenderPlan& plan, TileScratch& scratch);
 
 }  // namespace kreda::scene

@@ -45,17 +45,17 @@ void share_out(const Frame& frame, std::span<const PlannedPass> stretch, double 
 
 }  // namespace
 
-std::span<const PlannedPass> find_tile_passes(const RenderPlan& plan) {
+std::span<const PlannedPass> tile_passes_of(const RenderPlan& plan) {
     const std::span<const PlannedPass> passes(plan.passes);
     const auto is_of_tile = [](const PlannedPass& pass) { return pass.scope == PassScope::tile; };
     return {std::find_if(passes.begin(), passes.end(), is_of_tile), passes.end()};
 }
 
-std::span<const PlannedPass> find_batch_passes(std::span<const PlannedPass> tile_passes) {
+std::span<const PlannedPass> batch_passes_of(std::span<const PlannedPass> tile_passes) {
     return find_stretch(tile_passes, is_of_batch);
 }
 
-std::span<const PlannedPass> find_lighting_passes(const RenderPlan& plan) {
+std::span<const PlannedPass> lighting_passes_of(const RenderPlan& plan) {
     return find_stretch(plan.passes, lights_points);
 }
 

@@ -22,7 +22,7 @@ using std::numbers::pi;
 
 namespace {
 
-doctest::Approx number(const std::string& key) {
+doctest::Approx number_of_52(const std::string& key) {
     return doctest::Approx(documented_number("52_prefilter", key));
 }
 
@@ -38,10 +38,10 @@ TEST_CASE("52_prefilter: the sample of the page worked by hand") {
     const double alpha2 = 1.0 / 16.0, u = 1.0 / 64.0;  // sample 0 of 32
     const double cos2 = (1.0 - u) / (1.0 + (alpha2 - 1.0) * u), q = cos2 * (alpha2 - 1.0) + 1.0;
     const double p = 0.25 * alpha2 / (pi * q * q), share = 1.0 / (32.0 * p);
-    CHECK(2.0 * cos2 - 1.0 == number("n_dot_l").epsilon(1e-4));
-    CHECK(p == number("density").epsilon(1e-4));
-    CHECK(share == number("share").epsilon(1e-3));
-    CHECK(0.5 * std::log2(share / (4.0 * pi / (6.0 * 64.0 * 64.0))) == number("lod").epsilon(2e-3));
+    CHECK(2.0 * cos2 - 1.0 == number_of_52("n_dot_l").epsilon(1e-4));
+    CHECK(p == number_of_52("density").epsilon(1e-4));
+    CHECK(share == number_of_52("share").epsilon(1e-3));
+    CHECK(0.5 * std::log2(share / (4.0 * pi / (6.0 * 64.0 * 64.0))) == number_of_52("lod").epsilon(2e-3));
 }
 
 TEST_CASE("52_prefilter: the sun of the sunset is so many times as bright as the sky beside it") {

@@ -334,8 +334,8 @@ TEST_CASE("65 shadow volumes: the counter on the table is the number of things b
 TEST_CASE("65 shadow volumes: caps and silhouette of the box are those on the page") {
     raster::Mesh box = raster::make_cube(1);
     for (glm::vec3& p : box.positions) p = examples::kBoxCentre + examples::kBoxHalfSize * p;
-    const shadows::VolumeShape shape =
-        shadows::find_volume({box.positions, box.indices, false}, glm::dvec4(dvec3(examples::kLampPosition), 1.0));
+    const shadows::VolumeShape shape = shadows::make_shadow_volume({box.positions, box.indices, false},
+                                                                   glm::dvec4(dvec3(examples::kLampPosition), 1.0));
     CHECK(static_cast<double>(shape.caps.size()) == documented_number("65_shadow_volumes", "caps"));
     CHECK(static_cast<double>(shape.sides.size()) == documented_number("65_shadow_volumes", "edges"));
 }

@@ -103,6 +103,11 @@ TEST_CASE("90_what_a_scene_requires: the numbers of the page") {
     phong.model = lighting::ReflectionModel::phong;
     CHECK(scene::reflection_operations(phong) == by_hand);
     CHECK(documented_number("90_what_a_scene_requires", "phong") == by_hand);
+    // Blinn's h instead of r: l + v 3, its unit vector 11, n.h 6. The same everywhere: n.h alone.
+    lighting::Material blinn;
+    blinn.model = lighting::ReflectionModel::blinn_phong;
+    CHECK(scene::reflection_operations(blinn) == by_hand - (12 + 6) + (3 + 11 + 6));
+    CHECK(scene::reflection_operations(blinn, true) == by_hand - (12 + 6) + 6);
     CHECK(320 * 180 * 3 * 4 == documented_number("90_what_a_scene_requires", "film"));
 }
 

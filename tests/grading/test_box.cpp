@@ -7,6 +7,7 @@
 #include <doctest/doctest.h>
 
 #include "scene/error.hpp"
+#include "tests/grading/boxes.hpp"
 #include "tests/scene/temp_folder.hpp"
 #include "tests/tools/run_kreda.hpp"
 #include "tools/grade/box.hpp"
@@ -28,13 +29,6 @@ BoxOutcome shell(BoxTier tier, const BoxFolder& work, const std::string& script,
 
 BoxLimits small(int processes) {
     return {1.0, 2.0, std::uint64_t(256) << 20, 1 << 20, processes};
-}
-
-bool can_box(BoxTier tier) {
-    const BoxFolder work;
-    const bool can = shell(tier, work, "exit 0", small(1)).end == End::exited;
-    if (!can) MESSAGE("SKIPPED: " << name_of(tier) << " does not work here");
-    return can;
 }
 
 }  // namespace

@@ -12,6 +12,7 @@
 #include <unistd.h>
 
 #include "scene/error.hpp"
+#include "tests/grading/boxes.hpp"
 #include "tests/grading/sample_result.hpp"
 #include "tests/scene/temp_folder.hpp"
 #include "tests/tools/run_kreda.hpp"
@@ -68,14 +69,6 @@ int results_in(const fs::path& out) {
     for (fs::directory_iterator at(out, absent), end; !absent && at != end; at.increment(absent))
         count += fs::exists(at->path() / "result.json") ? 1 : 0;
     return count;
-}
-
-bool lives(const std::string& path) {
-    std::error_code failed;
-    for (fs::directory_iterator at("/proc", failed), end; !failed && at != end; at.increment(failed)) {
-        if (bytes_of((at->path() / "cmdline").string()).find(path) != std::string::npos) return true;
-    }
-    return false;
 }
 
 }  // namespace

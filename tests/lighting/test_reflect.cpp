@@ -106,6 +106,34 @@ TEST_CASE("reflect: the passes over a batch give its bits whatever the model") {
     }
 }
 
+TEST_CASE("reflect: parallel light in a parallel projection has one half vector and its bits at every point") {
+    Light sun;
+    sun.direction = {0.3f, -0.2f, -1.0f};
+    const LightSetup light = prepare(sun);
+    LightingSetup frame;
+    frame.orthographic = true;
+    frame.forward = unit(glm::vec3(-0.4f, 0.1f, -1.0f));
+    Material m = with_model(ReflectionModel::blinn_phong);
+    m.phong.shininess = 3.0f;
+    const MaterialSetup setup = prepare(m);
+    const PointMaterial material{m.model, m.phong, &setup.cook_torrance, {}};
+    static Batch batch;
+    batch.points->count = kPoints;
+    for (int i = 0; i < kPoints; ++i) batch.points->normal.set(i, direction(2.0 * i, 11.0 * i));
+    start_lighting(*batch.points, setup, frame, *batch.channels);
+    sample_light(*batch.points, light, *batch.channels);
+    add_reflection(kPoints, setup, LeaveChannels::always, *batch.channels);
+    const LightSample s = sample(sun, glm::vec3(0.0f));
+    int wrong = 0, shining = 0;
+    for (int i = 0; i < kPoints; ++i) {
+        const ReflectedTerms terms = reflect(material, unit(batch.points->normal.at(i)), s.l, -frame.forward);
+        wrong += batch.channels->specular.at(i) != glm::vec3(0.0f) + s.irradiance * terms.specular;
+        shining += terms.specular != glm::vec3(0.0f);
+    }
+    CHECK(wrong == 0);
+    CHECK(shining > kPoints / 4);
+}
+
 TEST_CASE("reflect: the passes over a batch give its bits for every distribution x geometry x Fresnel method") {
     struct Substance {
         const char* measured;

@@ -41,7 +41,7 @@ void fill_channels(Channels& channels) {
 void fill(const Scene& scene, const RenderPlan& plan, scene::RenderBuffers& buffers) {
     buffers.scratch.resize(1);
     buffers.scratch[0] = std::make_unique<scene::TileScratch>();
-    prepare_scratch(plan, *buffers.scratch[0]);
+    fit_scratch(plan, *buffers.scratch[0]);
     fill(buffers.scratch[0]->color);
     for (scene::TileColor& view : buffers.scratch[0]->views) fill(view);
     if (lighting::LightingChannels* const channels = buffers.scratch[0]->lighting.get()) fill_channels(*channels);

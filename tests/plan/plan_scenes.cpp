@@ -165,7 +165,8 @@ Scene random_plan_scene(std::uint32_t seed) {
     choose_fog(random, scene);
     choose_environment(random, scene);
     drop_maps_without_uv(scene);
-    add_tangents(scene);
+    scene::TangentMeshes made;
+    add_tangents(scene, made);
     return scene;
 }
 

@@ -42,7 +42,7 @@ void for_each_fragment(const Drawing& drawing, const Drawn& drawn, const Fragmen
     for (int t = 0; t < grid.columns * grid.rows; ++t) {
         const TileArea area = tile_area(grid, drawing.viewport, t);
         rasterize_tile(drawn.streams, drawn.set, area, *tile);
-        const int run_count = find_runs(*tile, area, drawn.set, runs.data());
+        const int run_count = collect_runs(*tile, area, drawn.set, runs.data());
         for (int r = 0; r < run_count; ++r) {
             interpolate_runs(drawn.streams, drawn.set, area, &runs[static_cast<std::size_t>(r)], 1, needs,
                              interpolation, *fragments);
@@ -219,7 +219,7 @@ TEST_CASE("Runs: each covered sample is in exactly one run of its own triangle a
             const TileArea area = tile_area(drawn.set.grid, drawing.viewport, t);
             rasterize_tile(drawn.streams, drawn.set, area, *tile);
             std::vector<std::uint32_t> painted(kTileSide * kTileSide, kNoTriangle);
-            const int run_count = find_runs(*tile, area, drawn.set, runs.data());
+            const int run_count = collect_runs(*tile, area, drawn.set, runs.data());
             int wrong = 0, batch_end = 0, lanes = 0;
             for (int r = 0; r < run_count; ++r) {
                 const Run& run = runs[static_cast<std::size_t>(r)];

@@ -295,7 +295,7 @@ TEST_CASE("Batch look-up is the scalar look-up bit by bit and its level is that 
         }
     }
     const glm::vec2 scale(3.0f, 0.7f);
-    find_levels(*fragments, color, {TextureFilter::trilinear, TextureWrap::repeat, scale}, *level);
+    set_levels(*fragments, color, {TextureFilter::trilinear, TextureWrap::repeat, scale}, *level);
     for (const auto filter : {TextureFilter::nearest, TextureFilter::bilinear, TextureFilter::trilinear}) {
         for (const TextureWrap wrap : kWraps) {
             sample_color(*fragments, *level, color, {filter, wrap, scale}, *rgb);

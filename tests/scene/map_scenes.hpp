@@ -8,6 +8,7 @@
 #include <doctest/doctest.h>
 
 #include "scene/files/read_scene.hpp"
+#include "tests/scene/errors_and_views.hpp"
 #include "tests/scene/temp_folder.hpp"
 
 namespace kreda::tests {
@@ -34,10 +35,6 @@ inline std::string complaint_in(const TempFolder& folder, const std::string& tex
         (void)read_in(folder, text);
     } catch (const scene::UserError& error) { return error.what(); }
     return "no complaint";
-}
-
-inline bool has(const std::string& text, const std::string& part) {
-    return text.find(part) != std::string::npos;
 }
 
 inline bool warns(const scene::Scene& scene, const std::string& part) {

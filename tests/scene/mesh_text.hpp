@@ -8,15 +8,12 @@
 #include <doctest/doctest.h>
 
 #include "scene/files/mesh_file.hpp"
+#include "tests/scene/errors_and_views.hpp"
 #include "tests/scene/temp_folder.hpp"
 
 namespace kreda::tests {
 
 inline const std::string kVertices = "v 0 0 0\nv 1 0 0\nv 0 1 0\n";
-
-[[nodiscard]] inline bool has(const std::string& message, const std::string& words) {
-    return message.find(words) != message.npos;
-}
 
 /// "a.obj:LINE:COL: ..." instead of "/tmp/.../a.obj:LINE:COL: ...".
 [[nodiscard]] inline std::string without_folder(const TempFolder& folder, const std::string& message) {

@@ -13,6 +13,7 @@
 #include "scene/files/child_process.hpp"
 #include "scene/files/image_file.hpp"
 #include "scene/files/read_scene.hpp"
+#include "tests/scene/errors_and_views.hpp"
 #include "tests/scene/raw_images.hpp"
 #include "tests/scene/raw_jpeg.hpp"
 #include "tests/scene/raw_png.hpp"
@@ -20,6 +21,7 @@
 
 using kreda::scene::ImageReadOptions;
 using kreda::scene::read_image;
+using kreda::tests::has;
 using kreda::tests::little_endian;
 using kreda::tests::png_chunk;
 using kreda::tests::TempFolder;
@@ -31,10 +33,6 @@ std::string complaint_of(const std::string& file, const ImageReadOptions& option
         (void)read_image(file, options);
     } catch (const kreda::scene::UserError& error) { return error.what(); }
     return "no error";
-}
-
-bool has(const std::string& text, const std::string& part) {
-    return text.find(part) != std::string::npos;
 }
 
 /// One line that begins with the file's name.

@@ -9,6 +9,7 @@
 #include "scene/files/image_file.hpp"
 #include "scene/files/load_maps.hpp"
 #include "scene/render/render.hpp"
+#include "tests/scene/errors_and_views.hpp"
 #include "tests/scene/map_scenes.hpp"
 
 using namespace kreda;
@@ -33,12 +34,6 @@ constexpr double kLightOf51 = 0.0331048, kLightOf204 = 0.603827;
 std::string dark_wall(const std::string& model, const std::string& keys, const std::string& more = "") {
     std::string text = wall("model = '" + model + "'\ndiffuse = [0, 0, 0]\ntexture_filter = 'nearest'\n" + keys, more);
     return text.replace(text.find("[[light]]\n"), 10, "[[light]]\non = false\n");
-}
-
-raster::Image view_of(const Scene& scene, const char* name) {
-    RenderBuffers buffers;
-    render(scene, make_plan(scene, {find_view(name)}), buffers);
-    return buffers.views[0];
 }
 
 /// A height picture of `width` columns: one step of grey from column to column.

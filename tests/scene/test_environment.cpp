@@ -9,9 +9,11 @@
 #include "scene/files/read_scene.hpp"
 #include "scene/plan/plan_cost.hpp"
 #include "scene/render/render.hpp"
+#include "tests/scene/errors_and_views.hpp"
 
 using namespace kreda;
 using namespace kreda::scene;
+using kreda::tests::view_of;
 
 namespace {
 
@@ -37,14 +39,6 @@ Scene ball(const std::string& material, Radiance L, const std::string& environme
 
 glm::vec3 even(const glm::vec3&) {
     return {0.5f, 1.0f, 2.0f};
-}
-
-raster::Image view_of(const Scene& scene, const char* name) {
-    RenderBuffers buffers;
-    const View* view = find_view(name);
-    REQUIRE(view);
-    render(scene, make_plan(scene, {view}), buffers);
-    return buffers.views[0];
 }
 
 const std::string kWhiteMetal =

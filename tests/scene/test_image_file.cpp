@@ -13,6 +13,7 @@
 #include <doctest/doctest.h>
 
 #include "scene/error.hpp"
+#include "tests/scene/errors_and_views.hpp"
 #include "tests/scene/raw_png.hpp"
 #include "tests/scene/temp_folder.hpp"
 
@@ -24,6 +25,7 @@ using kreda::scene::write_exr;
 using kreda::scene::write_png;
 using kreda::tests::big_endian;
 using kreda::tests::bytes_of;
+using kreda::tests::message_of;
 using kreda::tests::one_pixel_png;
 using kreda::tests::png_chunk;
 using kreda::tests::TempFolder;
@@ -70,13 +72,6 @@ struct FileSizeLimit {
 std::size_t files_in(const TempFolder& folder) {
     const std::filesystem::directory_iterator first(folder.path), end;
     return static_cast<std::size_t>(std::distance(first, end));
-}
-
-std::string message_of(const auto& action) {
-    try {
-        action();
-    } catch (const UserError& error) { return error.what(); }
-    return "no error";
 }
 
 /// A PNG that promises an RGB picture of this size and has almost no data (the empty zlib stream).

@@ -15,6 +15,7 @@
 #include "scene/files/load_maps.hpp"
 #include "scene/files/read_environment.hpp"
 #include "scene/files/read_scene.hpp"
+#include "tests/scene/errors_and_views.hpp"
 #include "tests/scene/raw_images.hpp"
 #include "tests/scene/raw_png.hpp"
 #include "tests/scene/temp_folder.hpp"
@@ -87,13 +88,6 @@ glm::vec3 texel_of(const std::string& file, MapKind kind, std::vector<std::strin
 
 glm::vec3 texture_color(const std::string& file, std::vector<std::string>& warnings) {
     return texel_of(file, MapKind::color, warnings);
-}
-
-std::string message_of(const auto& action) {
-    try {
-        action();
-    } catch (const UserError& error) { return error.what(); }
-    return "no error";
 }
 
 // sRGB by hand (IEC 61966-2-1): ((c / 255 + 0.055) / 1.055)^2.4

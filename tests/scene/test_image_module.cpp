@@ -6,9 +6,11 @@
 #include <doctest/doctest.h>
 
 #include "scene/error.hpp"
+#include "tests/scene/errors_and_views.hpp"
 #include "tests/scene/temp_folder.hpp"
 
 using kreda::scene::open_image_module;
+using kreda::tests::has;
 using kreda::tests::TempFolder;
 
 namespace {
@@ -18,10 +20,6 @@ std::string complaint_about(const std::vector<std::string>& places) {
         (void)open_image_module(places, "wood.jpg");
     } catch (const kreda::scene::UserError& error) { return error.what(); }
     return "no error";
-}
-
-bool has(const std::string& text, const std::string& part) {
-    return text.find(part) != std::string::npos;
 }
 
 /// The file of a library that every program here has, and that is not the module.

@@ -1,10 +1,9 @@
 // What is wrong with an OBJ or MTL file becomes one line with the file, the line and the column. Never a crash.
 #include "scene/files/mesh_file.hpp"
 
-#include <random>
-
 #include <doctest/doctest.h>
 
+#include "tests/scene/damaged_text.hpp"
 #include "tests/scene/mesh_text.hpp"
 
 using namespace kreda::tests;
@@ -108,27 +107,14 @@ TEST_CASE("mesh errors: damaged files give a mesh or an error and never anything
         "-3 -4 -5\ns off\nusemtl blue\nf 1//1 2//1 3//1 4//1\nl 1 2\n";
     const std::string mtl =
         "newmtl red\nKa 1 1 1\nKd .5\nKs 1 0 0\nNs 32\nillum 2\nmap_Kd -s 1 1 a.png\nnewmtl blue\nPr .5\nPm 1\n";
-    const std::string spice = "0123456789 \t\r\n\\/.,-+#eEvnfgostunail\xff\x01";
-    std::mt19937 random(7);
-    const auto below = [&](std::size_t n) { return std::uniform_int_distribution<std::size_t>(0, n - 1)(random); };
-    const auto damage = [&](std::string text) {
-        for (std::size_t edits = 1 + below(4); edits > 0 && !text.empty(); --edits) {
-            const std::size_t at = below(text.size());
-            const std::size_t kind = below(4);
-            if (kind == 0) text[at] = spice[below(spice.size())];
-            if (kind == 1) text.insert(at, 1, spice[below(spice.size())]);
-            if (kind == 2) text.erase(at, 1 + below(8));
-            if (kind == 3) text.insert(at, text.substr(below(text.size()), below(30)));
-        }
-        return below(20) == 0 ? text.substr(0, below(text.size() + 1)) : text;
-    };
+    DamagedText damage(7);
     const TempFolder folder;
     constexpr int kRounds = 1000;
     int meshes = 0;
     folder.write("a.mtl", mtl);
     for (int i = 0; i < kRounds; ++i) {
         // First with a damaged OBJ, then with a damaged MTL: writing files is what takes the time.
-        const std::string damaged = i < kRounds / 2 ? damage(obj) : damage(mtl);
+        const std::string damaged = i < kRounds / 2 ? damage.of(obj) : damage.of(mtl);
         CAPTURE(damaged);
         folder.write(i < kRounds / 2 ? "a.obj" : "a.mtl", damaged);
         if (i == kRounds / 2) folder.write("a.obj", obj);

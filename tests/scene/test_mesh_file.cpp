@@ -19,7 +19,7 @@ using tests::TempFolder;
 
 namespace {
 
-LoadedMesh load_text(const std::string& obj, Normals normals = Normals::file) {
+LoadedMesh load_bare(const std::string& obj, Normals normals = Normals::file) {
     const TempFolder folder;
     MeshFileOptions options;
     options.normals = normals;
@@ -54,7 +54,7 @@ const glm::vec3 kUp{0, 0, 1};  // the normal of that triangle
 }  // namespace
 
 TEST_CASE("mesh file: positions are shared and kept in the order of first use") {
-    const LoadedMesh loaded = load_text("v 9 9 9\nv 0 0 0\nv 1 0 0\nv 0 1 0\nv 1 1 0\nf 2 3 4\nf 4 3 5\n");
+    const LoadedMesh loaded = load_bare("v 9 9 9\nv 0 0 0\nv 1 0 0\nv 0 1 0\nv 1 1 0\nf 2 3 4\nf 4 3 5\n");
     CHECK(loaded.mesh.positions ==
           std::vector<glm::vec3>{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {1, 1, 0}});  // 9 9 9 is unused
     CHECK(loaded.mesh.indices == std::vector<std::uint32_t>{0, 1, 2, 2, 1, 3});
@@ -63,7 +63,7 @@ TEST_CASE("mesh file: positions are shared and kept in the order of first use") 
 }
 
 TEST_CASE("mesh file: one position with two texture coordinates becomes two vertices") {
-    const LoadedMesh loaded = load_text(
+    const LoadedMesh loaded = load_bare(
         "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 1 1 0\nvt 0 0\nvt 1 0\nvt .5 .5\n"
         "f 1/1 2/2 3/3\nf 3/1 2/2 4/3\n");
     CHECK(loaded.mesh.positions.size() == 5);
@@ -74,14 +74,14 @@ TEST_CASE("mesh file: one position with two texture coordinates becomes two vert
 
 TEST_CASE("mesh file: negative indices count back from their line") {
     const LoadedMesh loaded =
-        load_text("v 0 0 0\nv 1 0 0\nv 0 1 0\nvt 0 1\nvn 0 0 2\nf -3/-1/-1 -2/-1/-1 -1/-1/-1\nv 9 9 9\n");
+        load_bare("v 0 0 0\nv 1 0 0\nv 0 1 0\nvt 0 1\nvn 0 0 2\nf -3/-1/-1 -2/-1/-1 -1/-1/-1\nv 9 9 9\n");
     CHECK(loaded.mesh.positions == kTrianglePositions);
     CHECK(loaded.mesh.normals == std::vector<glm::vec3>(3, kUp));  // brought to unit length
     CHECK(loaded.mesh.uvs == std::vector<glm::vec2>(3, glm::vec2(0, 1)));
 }
 
 TEST_CASE("mesh file: faces may come before their vertices") {
-    CHECK(load_text("f 1 2 3\nv 0 0 0\nv 1 0 0\nv 0 1 0\n").mesh.positions == kTrianglePositions);
+    CHECK(load_bare("f 1 2 3\nv 0 0 0\nv 1 0 0\nv 0 1 0\n").mesh.positions == kTrianglePositions);
 }
 
 TEST_CASE("mesh file: all ways to write one triangle are the same triangle") {
@@ -95,7 +95,7 @@ TEST_CASE("mesh file: all ways to write one triangle are the same triangle") {
                                     std::string("v -0 +0 0.\nv 1e0 .0 0E-5\nv 0 10e-1 1e-999\nf 1// 2/ 3\n"),
                                     std::string("vt 0.5\nvt 1 2 3\nvn 0 0 1\nv 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n")}) {
         CAPTURE(text);
-        const LoadedMesh loaded = load_text(text);
+        const LoadedMesh loaded = load_bare(text);
         CHECK(loaded.mesh.positions == kTrianglePositions);
         CHECK(loaded.mesh.normals == std::vector<glm::vec3>(3, kUp));
         CHECK(loaded.warnings.empty());
@@ -104,7 +104,7 @@ TEST_CASE("mesh file: all ways to write one triangle are the same triangle") {
 
 TEST_CASE("mesh file: concave polygons keep their area") {
     // The L of three unit squares, starting where a fan would leave it.
-    const LoadedMesh loaded = load_text("v 0 0 0\nv 2 0 0\nv 2 1 0\nv 1 1 0\nv 1 2 0\nv 0 2 0\nf 2 3 4 5 6 1\n");
+    const LoadedMesh loaded = load_bare("v 0 0 0\nv 2 0 0\nv 2 1 0\nv 1 1 0\nv 1 2 0\nv 0 2 0\nf 2 3 4 5 6 1\n");
     CHECK(loaded.mesh.triangle_count() == 4);
     CHECK(area(loaded.mesh) == 3.0);
     CHECK(loaded.warnings.empty());
@@ -122,7 +122,7 @@ TEST_CASE("mesh file: a polygon of 300 corners has 298 triangles") {
     }
     std::string face = "f";
     for (int corner = 1; corner <= 300; ++corner) face.append(" ").append(std::to_string((corner + 1) % 300 + 1));
-    const LoadedMesh loaded = load_text(text + face + "\n");
+    const LoadedMesh loaded = load_bare(text + face + "\n");
     CHECK(loaded.mesh.triangle_count() == 298);
     CHECK(area(loaded.mesh) == kSteps * (kSteps + 1) / 2);
     CHECK(loaded.warnings.empty());
@@ -130,7 +130,7 @@ TEST_CASE("mesh file: a polygon of 300 corners has 298 triangles") {
 
 TEST_CASE("mesh file: groups and objects are parts and a change of material splits them") {
     const std::string f = "f 1 2 3\n";
-    const LoadedMesh loaded = load_text("v 0 0 0\nv 1 0 0\nv 0 1 0\n" + f + "o pot\n" + f + f + "g lid knob\n" + f +
+    const LoadedMesh loaded = load_bare("v 0 0 0\nv 1 0 0\nv 0 1 0\n" + f + "o pot\n" + f + f + "g lid knob\n" + f +
                                         "g empty\ng\n" + f + "usemtl red\n" + f);
     const auto& parts = loaded.mesh.parts;
     REQUIRE(parts.size() == 5);
@@ -150,14 +150,14 @@ TEST_CASE("mesh file: groups and objects are parts and a change of material spli
 }
 
 TEST_CASE("mesh file: a triangle that uses a corner twice is left out and other degenerate ones stay") {
-    const LoadedMesh loaded = load_text("v 0 0 0\nv 1 0 0\nv 2 0 0\nv 0 1 0\nf 1 2 4\nf 1 1 2\nf 1 2 3\n");
+    const LoadedMesh loaded = load_bare("v 0 0 0\nv 1 0 0\nv 2 0 0\nv 0 1 0\nf 1 2 4\nf 1 1 2\nf 1 2 3\n");
     CHECK(loaded.mesh.triangle_count() == 2);
 }
 
 TEST_CASE("mesh file: without normals smooth ones are made up to 60 degrees") {
     // Two squares that meet at the y axis, the second one tilted: by 45 degrees they share normals, by 90 they do not.
     const auto roof = [](const std::string& x, const std::string& z) {
-        return load_text("v -1 0 0\nv 0 0 0\nv 0 1 0\nv -1 1 0\nv " + x + " 0 " + z + "\nv " + x + " 1 " + z +
+        return load_bare("v -1 0 0\nv 0 0 0\nv 0 1 0\nv -1 1 0\nv " + x + " 0 " + z + "\nv " + x + " 1 " + z +
                          "\nf 1 2 3 4\nf 2 5 6 3\n")
             .mesh;
     };
@@ -167,14 +167,14 @@ TEST_CASE("mesh file: without normals smooth ones are made up to 60 degrees") {
 
 TEST_CASE("mesh file: smoothing groups decide where the file has them") {
     const std::string v = "v -1 0 0\nv 0 0 0\nv 0 1 0\nv -1 1 0\nv 0 0 -1\nv 0 1 -1\n";
-    CHECK(load_text(v + "s 1\nf 1 2 3 4\nf 2 5 6 3\n").mesh.positions.size() == 6);
-    CHECK(load_text(v + "s 1\nf 1 2 3 4\ns 2\nf 2 5 6 3\n").mesh.positions.size() == 8);
-    CHECK(load_text(v + "s off\nf 1 2 3 4\nf 2 5 6 3\n").mesh.positions.size() == 12);
+    CHECK(load_bare(v + "s 1\nf 1 2 3 4\nf 2 5 6 3\n").mesh.positions.size() == 6);
+    CHECK(load_bare(v + "s 1\nf 1 2 3 4\ns 2\nf 2 5 6 3\n").mesh.positions.size() == 8);
+    CHECK(load_bare(v + "s off\nf 1 2 3 4\nf 2 5 6 3\n").mesh.positions.size() == 12);
 }
 
 TEST_CASE("mesh file: normals of no length are made and the others stay") {
     const LoadedMesh loaded =
-        load_text("v 0 0 0\nv 1 0 0\nv 0 1 0\nvn 0 3 4\nvn 0 0 0\nvn nan nan -inf\nf 1//1 2//2 3//3\n");
+        load_bare("v 0 0 0\nv 1 0 0\nv 0 1 0\nvn 0 3 4\nvn 0 0 0\nvn nan nan -inf\nf 1//1 2//2 3//3\n");
     REQUIRE(loaded.mesh.normals.size() == 3);
     CHECK(loaded.mesh.normals[0] == glm::vec3(0.0f, 0.6f, 0.8f));
     CHECK(loaded.mesh.normals[1] == kUp);
@@ -184,9 +184,9 @@ TEST_CASE("mesh file: normals of no length are made and the others stay") {
 
 TEST_CASE("mesh file: normals can be made anew smooth or flat") {
     const std::string text = "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 1 1 0\nvn 1 0 0\nf 1//1 2//1 4//1 3//1\n";
-    CHECK(load_text(text).mesh.normals == std::vector<glm::vec3>(4, glm::vec3(1, 0, 0)));
-    CHECK(load_text(text, Normals::smooth).mesh.normals == std::vector<glm::vec3>(4, kUp));
-    CHECK(load_text(text, Normals::flat).mesh.normals == std::vector<glm::vec3>(6, kUp));
+    CHECK(load_bare(text).mesh.normals == std::vector<glm::vec3>(4, glm::vec3(1, 0, 0)));
+    CHECK(load_bare(text, Normals::smooth).mesh.normals == std::vector<glm::vec3>(4, kUp));
+    CHECK(load_bare(text, Normals::flat).mesh.normals == std::vector<glm::vec3>(6, kUp));
 }
 
 TEST_CASE("mesh file: MTL constants become a Blinn-Phong material") {
@@ -267,7 +267,7 @@ TEST_CASE("mesh file: several materials in several files with blanks in their na
 }
 
 TEST_CASE("mesh file: a missing MTL is a warning and lines and points are counted") {
-    const LoadedMesh loaded = load_text("mtllib none.mtl\nusemtl red\n" + kTriangle + "l 1 2\np 1\n");
+    const LoadedMesh loaded = load_bare("mtllib none.mtl\nusemtl red\n" + kTriangle + "l 1 2\np 1\n");
     CHECK(loaded.mesh.triangle_count() == 1);
     CHECK(mentions(loaded.warnings, "a.obj:1:1: no such material file"));
     CHECK(mentions(loaded.warnings, "a.obj:7:1: 'l'"));

@@ -5,6 +5,7 @@
 
 #include "scene/files/read_scene.hpp"
 #include "scene/plan/plan.hpp"
+#include "scene/plan/plan_warnings.hpp"
 #include "scene/render/render.hpp"
 
 using namespace kreda;
@@ -51,4 +52,24 @@ TEST_CASE("plan: the same number in albedo and in diffuse is pi times as dark in
     CHECK(middle("lambert") == doctest::Approx(0.5));
     CHECK(middle("cook_torrance") <= 0.5 / 3.14159265);
     CHECK(middle("cook_torrance") >= 0.95 * 0.5 / 3.14159265);  // less the 4 % that a smooth surface mirrors
+}
+
+TEST_CASE("plan: an object that is off is not read and leaves the picture that the scene without it has") {
+    const std::string absent =
+        "[[material]]\nname = \"jade\"\nmodel = \"phong\"\n[[object]]\nmesh = \"no_such_file.obj\"\nmaterial = "
+        "\"jade\"\n"
+        "hide = [\"lid\"]\non = ";
+    const scene::Scene off = scene::read_scene_text(wall("phong") + absent + "false\n", "test", "");
+    const scene::Scene without = scene::read_scene_text(wall("phong"), "test", "");
+    CHECK_THROWS_AS((void)scene::read_scene_text(wall("phong") + absent + "true\n", "test", ""), scene::UserError);
+    const scene::RenderPlan plan = scene::make_plan(off);
+    const std::string text = scene::describe(plan, true);
+    CHECK(text.find("object 1 (no_such_file.obj)") != std::string::npos);
+    CHECK(text.find("on = false, so its mesh was not read") != std::string::npos);
+    CHECK(plan_warnings(off, plan).empty());
+    CHECK(plan.passes.size() == scene::make_plan(without).passes.size());
+    scene::RenderBuffers with_it, without_it;
+    render(off, plan, with_it);
+    render(without, scene::make_plan(without), without_it);
+    CHECK(with_it.film.values == without_it.film.values);
 }

@@ -2,8 +2,10 @@
 
 #include "scene/files/read_scene.hpp"
 #include "scene/files/scene_keys.hpp"
+#include "tests/scene/errors_and_views.hpp"
 
 using namespace kreda::scene;
+using kreda::tests::has;
 
 namespace {
 
@@ -19,10 +21,6 @@ std::string complaint(const std::string& text) {
 std::string place(const std::string& text) {
     const std::string message = complaint(text);
     return message.substr(0, message.find(": "));
-}
-
-bool has(const std::string& text, const std::string& part) {
-    return text.find(part) != std::string::npos;
 }
 
 }  // namespace

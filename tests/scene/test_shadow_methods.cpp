@@ -27,24 +27,24 @@ std::string room(const std::string& method, const std::string& more = "") {
            more;
 }
 
-struct Picture {
+struct ShadowedPicture {
     raster::Image film, shadow, position;
 };
 
-Picture draw(const Scene& scene, int threads = 0) {
+ShadowedPicture draw_shadowed(const Scene& scene, int threads = 0) {
     RenderBuffers buffers;
     const RenderPlan plan = make_plan(scene, {find_view("shadow"), find_view("position")});
     render(scene, plan, buffers, threads);
     return {buffers.film, buffers.views[0], buffers.views[1]};
 }
 
-Picture draw(const std::string& text, int threads = 0) {
-    return draw(read_scene_text(text, "test", ""), threads);
+ShadowedPicture draw_shadowed(const std::string& text, int threads = 0) {
+    return draw_shadowed(read_scene_text(text, "test", ""), threads);
 }
 
 /// How many pixels differ between two pictures of the shadow factor; `counts` says which are looked at.
 template <class Counts>
-int different(const Picture& a, const Picture& b, Counts counts) {
+int different(const ShadowedPicture& a, const ShadowedPicture& b, Counts counts) {
     int count = 0;
     for (int y = 0; y < a.shadow.height; ++y) {
         for (int x = 0; x < a.shadow.width; ++x) {
@@ -54,7 +54,7 @@ int different(const Picture& a, const Picture& b, Counts counts) {
     return count;
 }
 
-std::string message_of(const std::string& text) {
+std::string refusal_of(const std::string& text) {
     try {
         static_cast<void>(read_scene_text(text, "test", ""));
     } catch (const UserError& error) { return error.what(); }
@@ -64,19 +64,19 @@ std::string message_of(const std::string& text) {
 }  // namespace
 
 TEST_CASE("shadow methods: volume and irregular draw the picture that rays draw") {
-    const Picture exact = draw(room("exact"));
+    const ShadowedPicture exact = draw_shadowed(room("exact"));
     const auto everywhere = [](const glm::vec3&) { return true; };
-    CHECK(different(exact, draw(room("irregular")), everywhere) == 0);
-    CHECK(draw(room("irregular")).film.values == exact.film.values);
-    CHECK(different(exact, draw(room("volume")), everywhere) <= 3);  // of 15000, each next to an edge
+    CHECK(different(exact, draw_shadowed(room("irregular")), everywhere) == 0);
+    CHECK(draw_shadowed(room("irregular")).film.values == exact.film.values);
+    CHECK(different(exact, draw_shadowed(room("volume")), everywhere) <= 3);  // of 15000, each next to an edge
     const auto dark = std::count(exact.shadow.values.begin(), exact.shadow.values.end(), 0.0f);
     CHECK(dark > 1000);
 }
 
 TEST_CASE("shadow methods: planar agrees with rays on the floor and shadows nothing else") {
-    const Picture exact = draw(room("exact")), planar = draw(room("planar"));
+    const ShadowedPicture exact = draw_shadowed(room("exact")), planar = draw_shadowed(room("planar"));
     CHECK(different(exact, planar, [](const glm::vec3& p) { return p.y == 0.0f; }) <= 5);  // next to edges
-    Picture lit = planar;
+    ShadowedPicture lit = planar;
     std::fill(lit.shadow.values.begin(), lit.shadow.values.end(), 1.0f);
     CHECK(different(lit, planar, [](const glm::vec3& p) { return p.y > 0.01f; }) == 0);
     CHECK(different(lit, planar, [](const glm::vec3& p) { return p.y == 0.0f; }) > 1000);
@@ -85,7 +85,7 @@ TEST_CASE("shadow methods: planar agrees with rays on the floor and shadows noth
 TEST_CASE("shadow methods: the same bits with one thread and with four") {
     for (const std::string method : {"planar", "volume", "irregular", "exact"}) {
         CAPTURE(method);
-        CHECK(draw(room(method), 1).film.values == draw(room(method), 4).film.values);
+        CHECK(draw_shadowed(room(method), 1).film.values == draw_shadowed(room(method), 4).film.values);
     }
 }
 
@@ -95,7 +95,7 @@ TEST_CASE("shadow methods: supersampled pictures are the mean of the samples' sh
         scene.image.samples = 3;
         Scene exact = scene;
         exact.shadow.method = shadows::ShadowMethod::exact;
-        const Picture a = draw(scene), b = draw(exact);
+        const ShadowedPicture a = draw_shadowed(scene), b = draw_shadowed(exact);
         CAPTURE(method);
         CHECK(different(a, b, [](const glm::vec3&) { return true; }) <= 12);  // of 135000 samples
     }
@@ -124,7 +124,7 @@ TEST_CASE("shadow methods: rays answer at vertices and centroids - the others sa
         for (lighting::Light& light : unshadowed.lights) light.shadow = false;
         CHECK(render(shadowed).values != render(unshadowed).values);
         for (const std::string method : {"planar", "volume", "irregular"}) {
-            const std::string message = message_of(shading + room(method));
+            const std::string message = refusal_of(shading + room(method));
             CAPTURE(message);
             CHECK(message.starts_with("test:16:10: shadow.method = \"" + method + "\" finds shadows at the pixels"));
             CHECK(message.find("\"exact\"") != std::string::npos);

@@ -77,7 +77,7 @@ TEST_CASE("exact: the shadow of a fine ball is that of the ball") {
     const glm::dvec3 centre(0.2f, 0.1f, -0.3f);
     const double inner = std::pow(std::cos(glm::radians(180.0 / kDetail)), 2);  // the mesh lies between the two balls
     for (const ShadowLight& light : {directional_light({-1, -2, -0.5f}), point_light({-1.0f, 2.5f, 1.0f})}) {
-        const ExactShadow exact = prepare_exact(scene.occluders, light);
+        const ExactShadow exact = build_exact_shadow(scene.occluders, light);
         std::vector<float> shadow(scene.sample_count(), 0.5f);
         exact_shadow(exact, scene.frame.samples(), shadow);
         int dark = 0, lit = 0;
@@ -99,7 +99,7 @@ TEST_CASE("exact: a batch of points is answered like a frame of samples") {
     scene.add("plane", 1, {0.0f, -1.0f, 0.0f}, glm::vec3(4.0f));
     scene.add("torus", 24);
     scene.draw();
-    const ExactShadow exact = prepare_exact(scene.occluders, directional_light({-1, -2, -1}));
+    const ExactShadow exact = build_exact_shadow(scene.occluders, directional_light({-1, -2, -1}));
     std::vector<float> shadow(scene.sample_count(), 1.0f);
     exact_shadow(exact, scene.frame.samples(), shadow);
     raster::Channel3 position;
@@ -117,6 +117,6 @@ TEST_CASE("exact: without occluders everything is lit and triangles that are not
     const raster::Mesh broken = mesh_of({{0, 1, 0}, {1, 1, NAN}, {0, 1, 1}, {-1, 1, -1}, {INFINITY, 1, 0}, {0, 1, 1}});
     const Occluder occluder{broken.positions, broken.indices, false};
     CHECK(gather_triangles({&occluder, 1}).empty());
-    const ExactShadow exact = prepare_exact({&occluder, 1}, directional_light({0, -1, 0}));
+    const ExactShadow exact = build_exact_shadow({&occluder, 1}, directional_light({0, -1, 0}));
     CHECK_FALSE(any_shadow(exact.bvh, exact.light, {0, 0, 0}));
 }

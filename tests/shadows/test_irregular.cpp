@@ -14,7 +14,7 @@ namespace {
 
 std::vector<float> exact_factors(const ShadowScene& scene) {
     std::vector<float> factors(scene.sample_count(), 1.0f);
-    exact_shadow(prepare_exact(scene.occluders, scene.light), scene.frame.samples(), factors);
+    exact_shadow(build_exact_shadow(scene.occluders, scene.light), scene.frame.samples(), factors);
     return factors;
 }
 

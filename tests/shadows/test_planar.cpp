@@ -40,7 +40,7 @@ ShadowError error_on_floor(const ShadowScene& scene) {
         }
     }
     std::vector<float> exact(scene.sample_count(), 1.0f), planar(scene.sample_count());
-    exact_shadow(prepare_exact(scene.occluders, scene.light), samples, exact);
+    exact_shadow(build_exact_shadow(scene.occluders, scene.light), samples, exact);
     planar_shadow(scene.occluders, plane_of(scene.occluders[0]).value(), scene.light, samples, planar);
     return compare_shadows({samples.viewport, samples.clip_from_world, depth, samples.position}, exact, planar, 1);
 }

@@ -67,11 +67,11 @@ std::map<std::array<std::array<float, 3>, 2>, int> outline_by_brute_force(const 
 
 TEST_CASE("shadow volumes: a cube lit from one side has one cap of two triangles and four sides") {
     const raster::Mesh cube = raster::make_cube(1);
-    const VolumeShape shape = find_volume(occluder_of(cube), homogeneous(directional_light({0, -1, 0})));
+    const VolumeShape shape = make_shadow_volume(occluder_of(cube), homogeneous(directional_light({0, -1, 0})));
     CHECK(shape.open_triangles == 0);
     CHECK(shape.caps.size() == 2);
     CHECK(shape.sides.size() == 4);
-    const VolumeShape corner = find_volume(occluder_of(cube), homogeneous(point_light({3, 3, 3})));
+    const VolumeShape corner = make_shadow_volume(occluder_of(cube), homogeneous(point_light({3, 3, 3})));
     CHECK(corner.caps.size() == 6);
     CHECK(corner.sides.size() == 6);  // the hexagon around three faces
 }
@@ -81,7 +81,7 @@ TEST_CASE("shadow volumes: sides are the sides of caps that no other cap continu
         const raster::Mesh mesh = raster::make_shape(name, 24).value();
         const Occluder occluder = occluder_of(mesh);
         for (const ShadowLight& light : {directional_light({-1, -2, 0.7f}), point_light({0.1f, 1.4f, 0.3f})}) {
-            const VolumeShape shape = find_volume(occluder, homogeneous(light));
+            const VolumeShape shape = make_shadow_volume(occluder, homogeneous(light));
             auto expected = outline_by_brute_force(occluder, shape);
             int missing = 0, total = 0;
             for (const SilhouetteEdge& side : shape.sides) {
@@ -99,23 +99,23 @@ TEST_CASE("shadow volumes: sides are the sides of caps that no other cap continu
 
 TEST_CASE("shadow volumes: open meshes are known as open and every triangle is a cap") {
     const raster::Mesh plane = raster::make_plane(4), pot = raster::make_teapot(4);
-    const VolumeShape of_plane = find_volume(occluder_of(plane), homogeneous(directional_light({0, -1, 0})));
+    const VolumeShape of_plane = make_shadow_volume(occluder_of(plane), homogeneous(directional_light({0, -1, 0})));
     CHECK(of_plane.open_triangles == plane.triangle_count());
     CHECK(of_plane.caps.size() == plane.triangle_count());
     CHECK(of_plane.sides.size() == 16);  // its border: four sides of four edges
-    CHECK(find_volume(occluder_of(pot), homogeneous(directional_light({0, -1, 0}))).open_triangles > 0);
+    CHECK(make_shadow_volume(occluder_of(pot), homogeneous(directional_light({0, -1, 0}))).open_triangles > 0);
     for (const char* closed : {"cube", "sphere", "torus", "torus_knot"}) {
         const raster::Mesh mesh = raster::make_shape(closed, 24).value();
-        CHECK(find_volume(occluder_of(mesh), homogeneous(directional_light({0, -1, 0.1f}))).open_triangles == 0);
+        CHECK(make_shadow_volume(occluder_of(mesh), homogeneous(directional_light({0, -1, 0.1f}))).open_triangles == 0);
     }
 }
 
 TEST_CASE("shadow volumes: the light inside a closed mesh makes every triangle a cap") {
     const raster::Mesh ball = raster::make_sphere(16);
-    const VolumeShape inside = find_volume(occluder_of(ball), homogeneous(point_light({0.2f, 0.1f, 0.3f})));
+    const VolumeShape inside = make_shadow_volume(occluder_of(ball), homogeneous(point_light({0.2f, 0.1f, 0.3f})));
     CHECK(inside.caps.size() == ball.triangle_count());
     CHECK(inside.sides.empty());
-    const VolumeShape outside = find_volume(occluder_of(ball), homogeneous(point_light({0.2f, 3.1f, 0.3f})));
+    const VolumeShape outside = make_shadow_volume(occluder_of(ball), homogeneous(point_light({0.2f, 3.1f, 0.3f})));
     CHECK(outside.caps.size() < ball.triangle_count() / 2);
 }
 
@@ -175,7 +175,7 @@ TEST_CASE("shadow volumes: as the ray says but next to an edge - in every hard c
         scene.draw();
         const VisibleSamples samples = scene.frame.samples();
         std::vector<float> exact(scene.sample_count(), 1.0f), volume(scene.sample_count());
-        exact_shadow(prepare_exact(scene.occluders, scene.light), samples, exact);
+        exact_shadow(build_exact_shadow(scene.occluders, scene.light), samples, exact);
         volume_shadow(casters_of(scene), scene.light, samples, volume);
         // A surface that the light meets edge on lies within a rounding of a volume's side as a whole; it receives no
         // light.

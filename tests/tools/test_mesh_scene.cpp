@@ -8,6 +8,7 @@
 
 #include "raster/camera.hpp"
 #include "scene/files/image_file.hpp"
+#include "scene/files/loaded_files.hpp"
 #include "scene/files/read_scene.hpp"
 #include "tests/scene/temp_folder.hpp"
 #include "tests/tools/run_kreda.hpp"
@@ -21,6 +22,16 @@ TEST_CASE("A mesh file is known by its ending whatever the case") {
     CHECK(tools::is_mesh_file("BUNNY.OBJ"));
     CHECK_FALSE(tools::is_mesh_file("bunny.toml"));
     CHECK_FALSE(tools::is_mesh_file("obj"));
+}
+
+TEST_CASE("A scene around a mesh reads the mesh once") {
+    const TempFolder folder;
+    folder.write("a.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n");
+    scene::LoadedFiles files;
+    scene::ReadOptions read;
+    read.files = &files;
+    CHECK(tools::read_scene_around_mesh(folder.file("a.obj"), read).objects[0].mesh->triangle_count() == 1);
+    CHECK(files.reads == 1);
 }
 
 TEST_CASE("The camera around a mesh sees all of it between its near and far plane at any size of the mesh") {

@@ -252,6 +252,17 @@ TEST_CASE("stages: the folder holds a numbered picture a stage and a page that n
     const std::size_t begin = html.find("const page = ") + 13;
     const nlohmann::json page = nlohmann::json::parse(html.substr(begin, html.find(";\n", begin) - begin));
     CHECK(page.at("width") == 48);
+    // The passes stand there as the plan lists them.
+    args = {"plan", "--json"};
+    args.insert(args.end(), size.begin(), size.end());
+    const nlohmann::json plan = nlohmann::json::parse(run_kreda(args, folder.path.string()).out);
+    std::size_t at = html.find("<details id=\"passes\">");
+    for (const nlohmann::json& pass : plan.at("passes")) {
+        const std::string item = "<li><b>" + pass.at("name").get<std::string>() + "</b>";
+        CAPTURE(item);
+        at = html.find(item, at);
+        CHECK(at != std::string::npos);
+    }
     const auto& stages = page.at("stages");
     CHECK(stages.size() > 15);
     for (std::size_t i = 0; i < stages.size(); ++i) {

@@ -85,7 +85,8 @@ scene::Scene textured_scene(lighting::ReflectionModel model, int i) {
     }
     s.shading.frequency = static_cast<scene::ShadingFrequency>(2 - i % 3);
     s.image.samples = 1 + i % 2;
-    scene::add_tangents(s);
+    scene::TangentMeshes made;
+    scene::add_tangents(s, made);
     return s;
 }
 

@@ -6,6 +6,7 @@
 #include "scene/error.hpp"
 #include "tools/bench/bench.hpp"
 #include "tools/bench/peak.hpp"
+#include "tools/bench/process_bench.hpp"
 #include "tools/commands.hpp"
 
 namespace kreda::tools {
@@ -23,6 +24,13 @@ void add_bench_command(CLI::App& app) {
     command->add_flag("--growth", *growth, "Time against pixels, triangles, lights and threads");
     command->add_flag("--peak", *peak,
                       "How much of the processor's arithmetic and cache bandwidth the shading loops reach");
+    const auto scenes = std::make_shared<std::vector<std::string>>();
+    const auto folder = std::make_shared<std::string>();
+    command->add_option("--process", *scenes, "Scenes, each drawn by processes of its own: from command to PNG")
+        ->type_name("SCENE.toml...");
+    command
+        ->add_option("--write-w9", *folder, "Write the workload W9, a million triangles with textures, into a folder")
+        ->type_name("DIR");
     command->add_option("--rounds", options->rounds, "How often the programs take turns")
         ->check(CLI::Range(1, 1000))
         ->type_name("N");
@@ -32,11 +40,14 @@ void add_bench_command(CLI::App& app) {
     command->add_option("--threads", options->threads, "Threads of each program")
         ->check(CLI::Range(1, 256))
         ->type_name("N");
-    command->callback([options, growth, peak] {
-        if (options->workloads.empty() && !*growth && !*peak) {
+    command->callback([options, growth, peak, scenes, folder] {
+        if (options->workloads.empty() && !*growth && !*peak && scenes->empty() && folder->empty()) {
             throw scene::UserError(
-                "kreda bench: say what to time: --workloads DIR, --growth or --peak (see kreda bench --help)");
+                "kreda bench: say what to time: --workloads DIR, --process SCENE, --growth or --peak (see kreda bench "
+                "--help)");
         }
+        if (!folder->empty()) write_million_triangles(*folder);
+        if (!scenes->empty()) time_processes({*scenes, options->rounds, options->threads});
         if (!options->workloads.empty()) compare_with_mesa(*options);
         if (*growth) measure_growth(options->frames, options->threads);
         if (*peak) measure_peak();

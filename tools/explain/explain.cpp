@@ -128,7 +128,7 @@ SampleFacts look_at_sample(const Frame& frame, int x, int y) {
     const int tile = grid.tile_of(y) * grid.columns + grid.tile_of(x);
     const raster::TileArea area = tile_area(grid, frame.plan.viewport, tile);
     sample.passes = std::make_unique<scene::TileScratch>();
-    prepare_scratch(frame.plan, *sample.passes);
+    fit_scratch(frame.plan, *sample.passes);
     if (sample.nearest < 0) {  // what the tile shows there, whatever the background is
         render_tile(frame, tile, *sample.passes);
         const int place = (y - area.y) * raster::kTileSide + x - area.x;
@@ -137,7 +137,7 @@ SampleFacts look_at_sample(const Frame& frame, int x, int y) {
     }
     const raster::Run run{static_cast<std::uint16_t>(x - area.x), static_cast<std::uint16_t>(y - area.y), 1,
                           sample.seen().triangle.material, sample.seen().id};
-    work_batch(frame, area, find_batch_passes(frame.tile_passes), &run, 1, *sample.passes);
+    work_batch(frame, area, batch_passes_of(frame.tile_passes), &run, 1, *sample.passes);
     sample.radiance = sample.passes->lighting->radiance.at(0);
     return sample;
 }

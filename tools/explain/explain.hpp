@@ -37,6 +37,9 @@ void check_request(const scene::ImageSettings& image, const PixelRequest& reques
 /// picture.
 [[nodiscard]] Explanation explain_pixel(const scene::Scene& scene, const PixelRequest& request, int threads = 0);
 
+/// A triangle's corners in formulas.
+inline constexpr const char* kCornerNames[3] = {"a", "b", "c"};
+
 /// One sample of the frame, worked on again alone: a batch of one.
 struct SampleFacts {
     const scene::Frame& frame;

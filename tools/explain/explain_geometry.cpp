@@ -16,8 +16,6 @@ namespace {
 
 using raster::ScreenVertex;
 
-constexpr const char* kCornerNames[3] = {"a", "b", "c"};
-
 /// Edge i lies opposite to corner i.
 constexpr const char* kEdgeNames[3] = {"E_bc", "E_ca", "E_ab"};
 

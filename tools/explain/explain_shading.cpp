@@ -14,8 +14,6 @@ namespace {
 
 using scene::ShadingFrequency;
 
-constexpr const char* kCornerNames[3] = {"a", "b", "c"};
-
 /// Two-sided lighting turned this triangle's normals.
 bool is_turned(const SampleFacts& sample) {
     return sample.frame.plan.two_sided && sample.seen().triangle.behind;

@@ -107,7 +107,7 @@ void say_blockers(const Frame& frame, const PlannedShadow& planned, const shadow
 }
 
 void explain_exact(const LitPoint& point, const PlannedShadow& planned, Section& section) {
-    const Occluders occluders = find_occluders(point.frame, planned.casters);
+    const Occluders occluders = collect_occluders(point.frame, planned.casters);
     const glm::dvec4 light = homogeneous(planned.source);
     const glm::vec3 p = point.points.position.at(0);
     const shadows::LightRay ray = shadows::light_ray(light, p);
@@ -135,7 +135,7 @@ SeenSample seen_sample(const LitPoint& point) {
 }
 
 void explain_irregular(const LitPoint& point, const PlannedShadow& planned, Section& section) {
-    const Occluders occluders = find_occluders(point.frame, planned.casters);
+    const Occluders occluders = collect_occluders(point.frame, planned.casters);
     const glm::dvec4 light = homogeneous(planned.source);
     const glm::vec3 p = seen_sample(point).position;
     const int number = view_of(planned.source, p);
@@ -161,8 +161,8 @@ void explain_irregular(const LitPoint& point, const PlannedShadow& planned, Sect
 void explain_volume(const LitPoint& point, const PlannedShadow& planned, Section& section) {
     const Frame& frame = point.frame;
     const SeenSample seen = seen_sample(point);
-    const Occluders occluders = find_occluders(frame, planned.casters);
-    const std::vector<shadows::VolumeCaster> casters = find_volume_casters(frame, planned, occluders);
+    const Occluders occluders = collect_occluders(frame, planned.casters);
+    const std::vector<shadows::VolumeCaster> casters = collect_volume_casters(frame, planned, occluders);
     const shadows::VisibleSamples samples = frame.buffers.visible.samples();
     section.equation("z", "", "", samples.depth[seen.index], "window depth of what is seen");
     Table table{"faces", {"volume of", "depth of the face", "the ray", "behind z", "counts"}, {}};
@@ -213,7 +213,7 @@ void explain_image(const LitPoint& point, const PlannedShadow& planned, const Oc
 
 void explain_planar(const LitPoint& point, const PlannedShadow& planned, Section& section) {
     const SeenSample seen = seen_sample(point);
-    const Occluders occluders = find_occluders(point.frame, planned.casters);
+    const Occluders occluders = collect_occluders(point.frame, planned.casters);
     const auto& receivers = planned.receivers;
     const auto receiver = std::find_if(receivers.rbegin(), receivers.rend(),
                                        [&](const scene::ShadowReceiver& r) { return r.object == seen.object; });

@@ -6,6 +6,7 @@
 #include "lighting/microfacet_choices.hpp"
 #include "lighting/reflection.hpp"
 #include "tools/measure/experiment_functions.hpp"
+#include "tools/measure/frequency_error.hpp"
 #include "tools/measure/paired_times.hpp"
 #include "tools/measure/picture.hpp"
 
@@ -13,28 +14,12 @@ namespace kreda::tools {
 
 namespace {
 
-constexpr const char* kBall = R"(
-[image]
-size = [320, 320]
-samples = 2
-[camera]
-position = [0, 0, 4]
-target = [0, 0, 0]
-vertical_fov = 32
-[[light]]
-type = "directional"
-direction = [-1, -1, -1.5]
-[[material]]
-name = "plastic"
-model = "phong"
-shininess = 32
-[[object]]
-mesh = "sphere"
-material = "plastic"
-)";
-
-std::string detail(int n) {
-    return "object.0.detail=" + std::to_string(n);
+/// The ball of frequency_error.hpp, lit at every sample, with other values.
+scene::Scene ball_with(lighting::ReflectionModel model, float shininess) {
+    scene::Scene scene = shiny_ball(2, 64, {640, 640});
+    scene.materials[0].model = model;
+    scene.materials[0].phong.shininess = shininess;
+    return scene;
 }
 
 }  // namespace
@@ -43,30 +28,19 @@ Finding measure_frequency(const Effort& effort) {
     Finding finding{{{"frequency", "detail", "triangles", "mean error [codes]", "99th percentile", "time [ms]"}, {}},
                     {"triangles", "mean error [codes]", true, true, {}, true},
                     ""};
-    scene::RenderBuffers buffers;
-    const raster::Image exact = draw_picture(scene_of(kBall, {detail(512)}), buffers, effort.threads).encoded;
-    const std::vector<int> details = {8, 16, 32, 64, 128, 256};
+    const raster::Image exact = finest_ball({320, 320}, effort.threads);
     std::array<double, 3> at_32{}, ms_at_32{};
     std::array<int, 3> needed{};  // the first detail within half a code
-    for (std::size_t f = 0; f < 3; ++f) {
-        const std::array<const char*, 3> names = {"flat", "gouraud", "phong"};
-        finding.plot.series.push_back({names[f], {}});
-        for (const int n : details) {
-            const scene::Scene scene = scene_of(kBall, {detail(n), std::string("shading.frequency=") + names[f]});
-            scene::RenderBuffers own;
-            Picture picture = draw_picture(scene, own, effort.threads);
-            std::vector<double> ms;
-            for (int i = 0; i < effort.count(5, 21); ++i)
-                ms.push_back(draw_picture(scene, own, effort.threads).frame_ms);
-            std::nth_element(ms.begin(), ms.begin() + static_cast<std::ptrdiff_t>(ms.size() / 2), ms.end());
-            const CodeError error = code_error(picture.encoded, exact);
-            const std::size_t triangles = scene.objects[0].mesh->indices.size() / 3;
-            finding.table.add({names[f], std::to_string(n), std::to_string(triangles), digits(error.mean),
-                               digits(error.p99), digits(ms[ms.size() / 2])});
-            finding.plot.series.back().points.emplace_back(static_cast<double>(triangles), error.mean);
-            if (n == 32) at_32[f] = error.mean;
-            if (n == 32) ms_at_32[f] = ms[ms.size() / 2];
-            if (needed[f] == 0 && error.mean <= 0.5) needed[f] = n;
+    for (std::size_t f = 0; f < kFrequencyNames.size(); ++f) {
+        finding.plot.series.push_back({kFrequencyNames[f], {}});
+        for (const FrequencyRow& row :
+             measure_frequency_rows(f, {8, 16, 32, 64, 128, 256}, exact, effort.count(5, 21), effort.threads)) {
+            finding.table.add({kFrequencyNames[f], std::to_string(row.detail), std::to_string(row.triangles),
+                               digits(row.error.mean), digits(row.error.p99), digits(row.ms)});
+            finding.plot.series.back().points.emplace_back(static_cast<double>(row.triangles), row.error.mean);
+            if (row.detail == 32) at_32[f] = row.error.mean;
+            if (row.detail == 32) ms_at_32[f] = row.ms;
+            if (needed[f] == 0 && row.error.mean <= 0.5) needed[f] = row.detail;
         }
         effort.show(static_cast<double>(f + 1) / 3.0);
     }
@@ -123,9 +97,8 @@ Finding measure_phong_blinn(const Effort& effort) {
         }
         effort.show(static_cast<double>(finding.plot.series.size()) / 6.0);
     }
-    const scene::Scene phong = scene_of(kBall, {"image.size=[640,640]"});
-    const scene::Scene blinn = scene_of(
-        kBall, {"image.size=[640,640]", "material.plastic.model=blinn_phong", "material.plastic.shininess=128"});
+    const scene::Scene phong = ball_with(lighting::ReflectionModel::phong, 32.0f);
+    const scene::Scene blinn = ball_with(lighting::ReflectionModel::blinn_phong, 128.0f);
     scene::RenderBuffers a, b;
     const std::vector<PairedTime> times = paired_times(
         {[&] { (void)draw_picture(phong, a, effort.threads); }, [&] { (void)draw_picture(blinn, b, effort.threads); }},

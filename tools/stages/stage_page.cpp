@@ -63,6 +63,15 @@ std::string script_data(const StagePage& page) {
     return text;
 }
 
+/// The passes that make the picture, as `kreda plan` lists them.
+std::string pass_list(const std::vector<PagePass>& passes) {
+    if (passes.empty()) return "";
+    std::string html = "<details id=\"passes\"><summary>the passes that ran</summary><ol>\n";
+    for (const PagePass& pass : passes)
+        html += "<li><b>" + escape_html(pass.name) + "</b> " + escape_html(pass.reason) + "</li>\n";
+    return html + "</ol></details>";
+}
+
 }  // namespace
 
 std::vector<unsigned char> packed_values(const Image& values) {
@@ -91,8 +100,9 @@ std::string stage_page_html(const StagePage& page) {
     return "<!doctype html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\">\n"
            "<meta name=\"viewport\" content=\"width=device-width, initial-scale=1\">\n<title>" +
            title + ": the stages</title>\n<style>" + kStagePageStyle +
-           "</style>\n</head>\n<body>\n<nav id=\"list\"><h1>" + title + "</h1></nav>\n" + kStagePageBody +
-           "<script>\nconst page = " + script_data(page) + ";\n" + kStagePageScript + "</script>\n</body>\n</html>\n";
+           "</style>\n</head>\n<body>\n<nav id=\"list\"><h1>" + title + "</h1>" + pass_list(page.passes) + "</nav>\n" +
+           kStagePageBody + "<script>\nconst page = " + script_data(page) + ";\n" + kStagePageScript +
+           "</script>\n</body>\n</html>\n";
 }
 
 Image thumbnail(const Image& picture) {

@@ -19,6 +19,11 @@ struct PageEntry {
     std::vector<std::string> components;
 };
 
+/// A pass of the plan.
+struct PagePass {
+    std::string name, reason;
+};
+
 struct StagePage {
     std::string title;
     std::string scene;           ///< as it was named on the command line
@@ -27,6 +32,7 @@ struct StagePage {
     glm::ivec2 corner{0};        ///< where the scene's picture begins in them
     bool has_pixels = true;      ///< false where the pictures are drawings without a pixel under the pointer
     std::vector<PageEntry> stages;
+    std::vector<PagePass> passes;  ///< what `kreda render` runs for this scene: the plan's, in its order
 };
 
 /// index.html: arrow keys step, numbers under the pointer, a click holds a pixel.

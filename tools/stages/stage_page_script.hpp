@@ -16,6 +16,8 @@ nav button { display: block; width: 100%; padding: .22rem 1rem; border: 0; backg
 nav button:hover { color: var(--ink); }
 nav button[aria-current] { background: var(--line); color: var(--ink); box-shadow: inset 3px 0 var(--accent); }
 nav b { display: inline-block; width: 1.7rem; color: var(--accent); font-weight: 600; font-variant-numeric: tabular-nums; }
+#passes { margin: .9rem 1rem 0; color: var(--soft); font-size: .82rem; }
+#passes summary { cursor: pointer; } #passes ol { padding-left: 1.4rem; } #passes b { display: inline; width: auto; color: var(--ink); }
 main { display: grid; grid-template-rows: auto 1fr auto; min-width: 0; min-height: 0; padding: .9rem 1.2rem; gap: .7rem; }
 header { display: flex; align-items: baseline; gap: .9rem; flex-wrap: wrap; }
 header h2 { font-size: 1.7rem; margin: 0; letter-spacing: -.01em; }
@@ -137,7 +139,7 @@ page.stages.forEach((entry, i) => {
   number.textContent = String(i + 1).padStart(2, "0");
   button.append(number, entry.title);
   button.onclick = () => { show(i); button.blur(); };
-  list.append(button);
+  list.insertBefore(button, byId("passes"));
 });
 addEventListener("keydown", event => {
   if (event.ctrlKey || event.altKey || event.metaKey) return;

@@ -51,6 +51,11 @@ public:
         page_.has_pixels = options.zoom.empty();
     }
 
+    /// What `kreda plan` lists for the scene.
+    void note_passes(const scene::RenderPlan& plan) {
+        for (const scene::PlannedPass& pass : plan.passes) page_.passes.push_back({pass.name, pass.reason});
+    }
+
     void write(const Stage& stage) {
         char number[16];
         std::snprintf(number, sizeof number, "%02zu_", page_.stages.size() + 1);
@@ -130,6 +135,7 @@ void stages_command(const StagesOptions& options) {
     make_folder((fs::path(options.output) / "values").string());
     bake_scene(scene, environment_needs(scene), options.cache);
     StageWriter writer(options, scene, ground);
+    writer.note_passes(make_plan_for(scene, {}));
     const auto write = [&](const Stage& stage) { writer.write(stage); };
     if (part) {
         for (const Stage& stage : zoom_stages(scene, *part, zoom_room.x, zoom_room.y, options.threads)) write(stage);

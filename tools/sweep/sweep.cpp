@@ -13,23 +13,21 @@ namespace kreda::tools {
 raster::Image SweepRenderer::draw(const std::vector<std::string>& values) {
     SceneOptions options = options_;
     options.read.overrides.insert(options.read.overrides.end(), values.begin(), values.end());
+    options.read.files = &kept_->files;
     scene::PlanRequest request;
     if (view_) request = {.views = {view_}, .film = false};
     auto [scene, plan] = load_and_plan(options, request);
     options_.quiet = true;  // what was said of the first picture holds for the others
-    // The same file is the same light, and what was baked of it serves again.
-    if (scene.environment.file == environment_.file) scene.environment.image = environment_.image;
-    environment_ = scene.environment;
-    const bool is_baked = buffers_.environment && serves(*buffers_.environment, scene.environment, plan.environment);
-    if (!is_baked) bake_scene(scene, plan.environment, cache_);
-    render(scene, plan, buffers_, threads_);
-    return view_ ? as_rgb(picture_of(*view_, buffers_.views[0], scene).encoded)
-                 : raster::develop(buffers_.film, film_settings(scene.image));
+    bake_kept(scene, plan, cache_, *kept_);
+    render(scene, plan, kept_->buffers, threads_);
+    return view_ ? as_rgb(picture_of(*view_, kept_->buffers.views[0], scene).encoded)
+                 : raster::develop(kept_->buffers.film, film_settings(scene.image));
 }
 
 glm::ivec2 SweepRenderer::picture_size() {
     SceneOptions options = options_;
     options.quiet = true;
+    options.read.files = &kept_->files;
     options.read.maps_later = true;  // the size alone is asked for
     const scene::Scene scene = load_scene(options);
     return {scene.image.width, scene.image.height};

@@ -1,18 +1,17 @@
 // Many pictures of one scene: every value of one or two keys.
 #pragma once
 
+#include <memory>
 #include <string>
 #include <vector>
 
 #include "scene/plan/views.hpp"
-#include "scene/render/render.hpp"
-#include "tools/bake/bake_scene.hpp"
+#include "tools/kept_frames.hpp"
 #include "tools/scene_options.hpp"
 
 namespace kreda::tools {
 
-/// Draws one picture after another. The memory of the frame is kept, and an environment that stays the same is baked
-/// once.
+/// Draws one picture after another. What a value does not touch is kept from picture to picture.
 class SweepRenderer {
 public:
     SweepRenderer(SceneOptions scene, CacheOptions cache, const scene::View* view, int threads)
@@ -32,8 +31,7 @@ private:
     CacheOptions cache_;
     const scene::View* view_;
     int threads_;
-    scene::RenderBuffers buffers_;
-    scene::EnvironmentSettings environment_;  ///< of the picture before
+    std::unique_ptr<KeptFrames> kept_ = std::make_unique<KeptFrames>();
 };
 
 /// How far two encoded pictures of one size are apart, in codes of 8 bits over all three channels.

@@ -1,5 +1,6 @@
 // kreda sweep: a table of pictures over one or two keys, or frames of an animation.
 #include <cstdio>
+#include <exception>
 #include <filesystem>
 #include <iostream>
 #include <memory>
@@ -151,21 +152,46 @@ void write_frames(const std::string& folder, const std::vector<std::vector<unsig
     }
 }
 
+/// The PNG files of pictures, encoded side by side: that takes longer than drawing most of them.
+void encode_side_by_side(const std::string& path, std::vector<raster::Image>& pictures,
+                         std::vector<std::vector<unsigned char>>& files) {
+    const int count = static_cast<int>(pictures.size());
+    const std::size_t first = files.size();
+    std::exception_ptr failure;
+    files.resize(first + pictures.size());
+#pragma omp parallel for schedule(dynamic)
+    for (int i = 0; i < count; ++i) {
+        const auto number = static_cast<std::size_t>(i);
+        try {
+            files[first + number] = scene::png_file_of(path, pictures[number]);
+        } catch (...) {
+#pragma omp critical(encoding_failed)
+            failure = std::current_exception();
+        }
+    }
+    if (failure) std::rethrow_exception(failure);
+    pictures.clear();
+}
+
 void make_frames(SweepOptions options, const scene::View* view) {
+    constexpr std::size_t kTogether = 8;  // pictures that wait to be encoded
     std::vector<SweepAxis> axes;
     for (const std::string& set : options.scene.read.overrides)
         axes.push_back(stepped_axis(set, options.frames, options.around));
     options.scene.read.overrides.clear();
     SweepRenderer renderer(options.scene, options.cache, view, options.threads);
     std::vector<std::vector<unsigned char>> frames;
+    std::vector<raster::Image> drawn;
     ProgressBar bar("drawing " + std::to_string(options.frames) + " frames");
     for (int i = 0; i < options.frames; ++i) {
         bar.show(static_cast<double>(i) / options.frames);
         std::vector<std::string> values;
         for (const SweepAxis& axis : axes)
             values.push_back(axis.override_at(axis.values.size() > 1 ? static_cast<std::size_t>(i) : 0));
-        frames.push_back(scene::png_file_of(options.output, renderer.draw(values)));
+        drawn.push_back(renderer.draw(values));
+        if (drawn.size() == kTogether) encode_side_by_side(options.output, drawn, frames);
     }
+    encode_side_by_side(options.output, drawn, frames);
     bar.clear();
     if (fs::path(options.output).extension() == ".png") {
         const std::vector<unsigned char> file = animated_png(frames, options.milliseconds);

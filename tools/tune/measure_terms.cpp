@@ -9,14 +9,6 @@ namespace kreda::tools {
 
 namespace {
 
-/// The size of a picture of so many pixels, as wide for its height as the scene's.
-Setting probe_size(const scene::ImageSettings& image, int pixels) {
-    const double all = static_cast<double>(image.width) * image.height;
-    const double scale = std::min(1.0, std::sqrt(pixels / all));
-    const auto side = [&](int n) { return std::to_string(std::max(1, static_cast<int>(std::lround(scale * n)))); };
-    return {"image", -1, "size", "[" + side(image.width) + "," + side(image.height) + "]"};
-}
-
 /// A scene that shares its environment's image with the first: what is baked of it need not be baked again.
 void share_environment(const scene::Scene& first, scene::Scene& scene) {
     if (scene.environment.file == first.environment.file) scene.environment.image = first.environment.image;
@@ -66,6 +58,13 @@ void time_frames(std::vector<Probe>& probes, const TuneOptions& options) {
 }
 
 }  // namespace
+
+Setting probe_size(const scene::ImageSettings& image, int pixels) {
+    const double all = static_cast<double>(image.width) * image.height;
+    const double scale = std::min(1.0, std::sqrt(pixels / all));
+    const auto side = [&](int n) { return std::to_string(std::max(1, static_cast<int>(std::lround(scale * n)))); };
+    return {"image", -1, "size", "[" + side(image.width) + "," + side(image.height) + "]"};
+}
 
 double budget_of(const CodeError& error) {
     return std::max(error.mean, error.p99 / 4.0);

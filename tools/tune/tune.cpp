@@ -14,6 +14,10 @@ namespace {
 constexpr int kMostTrials = 4;          // sets that are tried because much of the budget is left
 constexpr double kMuchLeft = 0.85;      // of the budget is spent: more is not asked for
 constexpr double kTimeTolerance = 1.0;  // a promise of time is kept by the median
+constexpr double kLongMs = 3000.0;      // what takes seconds is measured once
+
+// Shares of the whole, for the progress; the rest is measuring the costs.
+constexpr double kMeasured = 0.5, kOracle = 0.2, kVerified = 0.2;
 
 /// A set of options and what became of it.
 struct Verified {
@@ -39,6 +43,12 @@ struct Search {
     [[nodiscard]] scene::Scene scene_with(const std::vector<int>& chosen) const {
         return read_with(source, settings_of(terms(), chosen));
     }
+    [[nodiscard]] const Picture& picture_with(const std::vector<int>& chosen) const {
+        return picture_of_set(tuned.drawn, source, terms(), chosen, options.threads);
+    }
+    void show_progress(double share) const {
+        if (options.progress) options.progress(share);
+    }
 };
 
 std::vector<int> oracles(const std::vector<Term>& terms) {
@@ -55,12 +65,13 @@ std::vector<int> owns(const std::vector<Term>& terms) {
 
 /// Like the registry's oracles alone, but of methods that do not go together the reader's refusal is an error of ours.
 Verified verify(const Search& search, const KnapsackChoice& choice) {
-    scene::RenderBuffers buffers;
     Verified verified{choice, {}, {}};
-    verified.picture = draw_picture(search.scene_with(choice.chosen), buffers, search.options.threads).encoded;
+    verified.picture = search.picture_with(choice.chosen).encoded;
     verified.error = code_error(verified.picture, search.tuned.oracle_picture);
     ++search.tuned.renders;
     search.tuned.trials.push_back({choice, verified.error, ""});
+    const double trials = static_cast<double>(search.tuned.trials.size());
+    search.show_progress(kMeasured + kOracle + kVerified * trials / (trials + 2.0));
     return verified;
 }
 
@@ -135,15 +146,18 @@ Verified spend_the_rest(Search& search, double budget, Verified best) {
     return best;
 }
 
-double cost_of(const scene::Scene& scene, const TuneOptions& options) {
+/// What a picture of the set costs, measured now; what takes seconds is as it was when it was drawn first.
+double cost_of(const Search& search, const std::vector<int>& chosen) {
+    const TuneOptions& options = search.options;
     if (options.cost_by == CostBy::plan) {
-        const scene::RenderPlan plan = make_plan(scene);
+        const scene::RenderPlan plan = make_plan(search.scene_with(chosen));
         return 1e-6 * (total_operations(plan) + baking_operations(plan) / options.frames);
     }
-    scene::RenderBuffers buffers;
-    const Picture first = draw_picture(scene, buffers, options.threads);
-    return first.bake_ms / options.frames +
-           (options.frames > 1 ? draw_picture(scene, buffers, options.threads).frame_ms : first.frame_ms);
+    const Picture& first = search.picture_with(chosen);
+    const bool is_long = first.frame_ms > kLongMs;
+    const Picture now =
+        is_long ? first : draw_with_baked(search.tuned.drawn, search.scene_with(chosen), options.threads);
+    return now.bake_ms / options.frames + now.frame_ms;
 }
 
 /// The most accurate set that a picture of this cost can have.
@@ -153,7 +167,7 @@ Verified keep_time(Search& search, double budget_ms) {
         const std::vector<KnapsackChoice> front = search.front();
         const auto first = std::find_if(front.begin(), front.end(), [&](const auto& c) { return c.cost <= asked; });
         const KnapsackChoice& choice = first != front.end() ? *first : front.back();
-        const double cost = cost_of(search.scene_with(choice.chosen), search.options);
+        const double cost = cost_of(search, choice.chosen);
         if (cost <= kTimeTolerance * budget_ms) return verify(search, choice);
         if (first == front.end()) break;
         asked *= 0.95 * budget_ms / cost;
@@ -164,13 +178,13 @@ Verified keep_time(Search& search, double budget_ms) {
 
 /// Costs of the whole pictures side by side, the median of three turns.
 void measure_costs(const Search& search, const std::vector<int>& chosen) {
-    const std::vector<scene::Scene> scenes = {search.scene_with(chosen), search.scene_with(owns(search.terms())),
-                                              search.scene_with(oracles(search.terms()))};
+    const std::array<std::vector<int>, 3> sets = {chosen, owns(search.terms()), oracles(search.terms())};
     std::array<std::array<double, 3>, 3> costs{};
     for (std::size_t round = 0; round < 3; ++round) {
         for (std::size_t i = 0; i < 3; ++i) {
-            const bool again = round > 0 && costs[i][0] > 3000.0;  // what takes seconds is measured once
-            costs[i][round] = again ? costs[i][0] : cost_of(scenes[i], search.options);
+            costs[i][round] = cost_of(search, sets[i]);
+            const double share = (3.0 * static_cast<double>(round) + static_cast<double>(i + 1)) / 9.0;
+            search.show_progress(kMeasured + kOracle + kVerified + (1.0 - kMeasured - kOracle - kVerified) * share);
         }
     }
     for (std::array<double, 3>& cost : costs) std::sort(cost.begin(), cost.end());
@@ -214,7 +228,7 @@ double frame_scale_of(const Search& search) {
         const double base = measured.options[t][static_cast<std::size_t>(term.base)].frame;
         if (base > 0.0) probe *= measured.options[t][static_cast<std::size_t>(term.own)].frame / base;
     }
-    const double whole = cost_of(search.scene_with(owns(search.terms())), search.options);
+    const double whole = cost_of(search, owns(search.terms()));
     const double frame = whole - measured.base.bake / search.options.frames;
     return probe > 0.0 && frame > 0.0 ? frame / probe : 1.0;
 }
@@ -225,15 +239,17 @@ Tuned tune(const SceneSource& source, const std::set<std::string>& kept, const T
     Tuned tuned;
     tuned.found = terms_of(source, kept);
     limit_oracle(source, tuned.found.terms, options);
-    tuned.measured = measure_terms(source, tuned.found.terms, options);
+    TuneOptions measuring = options;
+    if (options.progress) measuring.progress = [&](double share) { options.progress(kMeasured * share); };
+    tuned.measured = measure_terms(source, tuned.found.terms, measuring);
     tuned.renders = tuned.measured.renders;
     Search search{source, options, tuned, {}};
     for (const Term& term : search.terms()) search.allowed.emplace_back(term.options.size(), true);
     search.frame_scale = frame_scale_of(search);
     tuned.front = search.front();
-    scene::RenderBuffers buffers;
-    tuned.oracle_picture = draw_picture(search.scene_with(oracles(search.terms())), buffers, options.threads).encoded;
+    tuned.oracle_picture = search.picture_with(oracles(search.terms())).encoded;
     tuned.renders += 2;
+    search.show_progress(kMeasured + kOracle);
 
     Verified best;
     if (options.max_error) {
@@ -252,21 +268,28 @@ Tuned tune(const SceneSource& source, const std::set<std::string>& kept, const T
     return tuned;
 }
 
-std::vector<std::vector<float>> attribution(const SceneSource& source, const Tuned& tuned, int threads) {
-    std::vector<std::vector<float>> codes;
+Attribution attribution(const SceneSource& source, const Tuned& tuned, const TuneOptions& options) {
     const std::vector<Term>& terms = tuned.found.terms;
+    const Setting size = probe_size(read_with(source, {}).image, kAttributedPixels);
+    DrawnSets drawn;
+    const auto picture_with = [&](const std::vector<int>& chosen) {
+        std::vector<Setting> settings = settings_of(terms, chosen);
+        settings.push_back(size);
+        return draw_with_baked(drawn, read_with(source, settings), options.threads).encoded;
+    };
+    const raster::Image chosen = picture_with(tuned.choice.chosen);
+    Attribution attributed{chosen.width, chosen.height, {}};
     for (std::size_t t = 0; t < terms.size(); ++t) {
-        codes.emplace_back();
+        attributed.codes.emplace_back();
+        if (options.progress) options.progress(static_cast<double>(t) / static_cast<double>(terms.size()));
         if (tuned.choice.chosen[t] == terms[t].oracle) continue;
         std::vector<int> raised = tuned.choice.chosen;
         raised[t] = terms[t].oracle;
         try {
-            scene::RenderBuffers buffers;
-            const scene::Scene scene = read_with(source, settings_of(terms, raised));
-            codes.back() = code_differences(draw_picture(scene, buffers, threads).encoded, tuned.chosen_picture);
+            attributed.codes.back() = code_differences(picture_with(raised), chosen);
         } catch (const scene::UserError&) {}  // a frequency that does not go with the chosen shadows, alone
     }
-    return codes;
+    return attributed;
 }
 
 }  // namespace kreda::tools

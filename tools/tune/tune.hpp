@@ -15,6 +15,7 @@
 #include "lighting/environment/progress.hpp"
 #include "raster/image.hpp"
 #include "tools/measure/picture.hpp"
+#include "tools/tune/drawn_sets.hpp"
 #include "tools/tune/knapsack.hpp"
 #include "tools/tune/terms.hpp"
 
@@ -29,11 +30,11 @@ struct TuneOptions {
     std::optional<double> budget_ms;  ///< of a picture, with its share of baking
     int frames = 1;                   ///< that baking is shared among
     int probe_pixels = 16'000;        ///< of the pictures that single options are measured on
-    double oracle_seconds = 20.0;     ///< that the truth may take at most, about: fewer samples are taken if need be
+    double oracle_seconds = 10.0;     ///< that the truth may take at most, about: fewer samples are taken if need be
     int rounds = 3;                   ///< that an option is timed
     int threads = 0;
     CostBy cost_by = CostBy::time;
-    lighting::Progress progress;
+    lighting::Progress progress;  ///< of tune() as a whole
 };
 
 /// One number of a picture's error: the mean, or a quarter of what 99 of 100 pixels stay below, whichever is more. A
@@ -85,13 +86,22 @@ struct Tuned {
     std::vector<Trial> trials;
     raster::Image chosen_picture, oracle_picture;
     std::string text;  ///< the scene file with the choice
+    DrawnSets drawn;   ///< whole pictures that were drawn on the way
 };
 
 /// Requires one of the two budgets. Throws UserError where the scene cannot be read or written, or no choice keeps a
 /// budget of time.
 [[nodiscard]] Tuned tune(const SceneSource& source, const std::set<std::string>& kept, const TuneOptions& options);
 
-/// What the picture would change if each chosen term alone were exact, in codes a pixel; nothing for those that are.
-[[nodiscard]] std::vector<std::vector<float>> attribution(const SceneSource& source, const Tuned& tuned, int threads);
+/// What the picture would change if each chosen term alone were exact.
+struct Attribution {
+    int width = 0, height = 0;              ///< of a smaller picture, if the scene's has more than kAttributedPixels
+    std::vector<std::vector<float>> codes;  ///< of each term, a pixel; nothing for those that are exact
+};
+inline constexpr int kAttributedPixels = 130'000;
+[[nodiscard]] Attribution attribution(const SceneSource& source, const Tuned& tuned, const TuneOptions& options);
+
+/// The size of a picture of so many pixels at most, as wide for its height as the scene's.
+[[nodiscard]] Setting probe_size(const scene::ImageSettings& image, int pixels);
 
 }  // namespace kreda::tools

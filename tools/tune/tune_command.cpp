@@ -9,6 +9,7 @@
 #include "raster/film.hpp"
 #include "scene/error.hpp"
 #include "scene/files/image_file.hpp"
+#include "scene/files/loaded_files.hpp"
 #include "scene/files/scene_keys.hpp"
 #include "tools/commands.hpp"
 #include "tools/measure/choices.hpp"
@@ -35,17 +36,20 @@ struct CommandOptions {
     TuneOptions tune;
 };
 
-std::string text_of_file(const std::string& path) {
-    (void)scene::read_scene(path);  // whatever is wrong with the file is said as by every other command
+std::string text_of_file(const std::string& path, const scene::ReadOptions& read) {
+    (void)scene::read_scene(path, read);  // whatever is wrong with the file is said as by every other command
     return bytes_of_file(path);
 }
 
-SceneSource source_of(const CommandOptions& options) {
-    if (options.file.empty()) return {scene::built_in_scene_text(), "built-in scene", "", {}};
+SceneSource source_of(const CommandOptions& options, scene::LoadedFiles& files) {
+    scene::ReadOptions read;
+    read.files = &files;
+    if (options.file.empty()) return {scene::built_in_scene_text(), "built-in scene", "", read};
     if (is_mesh_file(options.file)) {
-        return {scene_around_mesh(options.file, {}), "scene around " + options.file, "", {}};
+        const auto loaded = load_mesh(&files, options.file, {});
+        return {scene_around_mesh(options.file, loaded->mesh), "scene around " + options.file, "", read};
     }
-    return {text_of_file(options.file), options.file, fs::path(options.file).parent_path().string(), {}};
+    return {text_of_file(options.file, read), options.file, fs::path(options.file).parent_path().string(), read};
 }
 
 /// "scene.toml" -> "scene_tuned": the chosen scene stands beside the scene, for it names its files from there.
@@ -127,9 +131,13 @@ void write_pictures(const SceneSource& source, const Tuned& tuned, const Command
     scene::write_png(path("chosen.png"), chosen);
     scene::write_png(path("oracle.png"), tuned.oracle_picture);
     scene::write_png(path("front.png"), srgb_of(front_picture(source, tuned, options.tune)));
-    const std::vector<std::vector<float>> codes = attribution(source, tuned, options.tune.threads);
+    ProgressBar bar("drawing who spent the error");
+    TuneOptions with_bar = options.tune;
+    with_bar.progress = bar.progress();
+    const Attribution found = attribution(source, tuned, with_bar);
+    bar.clear();
     scene::write_png(path("who_spent_it.png"),
-                     srgb_of(attribution_picture(tuned.found.terms, codes, chosen.width, chosen.height)));
+                     srgb_of(attribution_picture(tuned.found.terms, found.codes, found.width, found.height)));
     std::cerr << "wrote chosen.png, oracle.png, front.png and who_spent_it.png to " << options.pictures << "\n";
 }
 
@@ -146,11 +154,12 @@ void tune_command(CommandOptions options) {
     if (options.output.empty()) options.output = default_stem(options) + ".toml";
     if (options.pictures.empty()) options.pictures = default_stem(options);
     const std::set<std::string> kept = kept_keys(options.keep);
-    const SceneSource source = source_of(options);
+    scene::LoadedFiles files;
+    const SceneSource source = source_of(options, files);
     check_output(source, options.output);
     Tuned tuned;
     {
-        ProgressBar bar("measuring settings");
+        ProgressBar bar("tuning");
         options.tune.progress = bar.progress();
         tuned = tune(source, kept, options.tune);
         options.tune.progress = {};

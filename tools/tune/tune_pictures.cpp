@@ -66,14 +66,15 @@ Image front_picture(const SceneSource& source, const Tuned& tuned, const TuneOpt
     if (tuned.front.empty()) return image;
     const Axes axes = axes_of(tuned.front);
     draw_axes(image, axes, options.cost_by == CostBy::plan ? "million operations" : "ms");
+    DrawnSets thumbnails;
     const std::size_t thumbs = std::min<std::size_t>(4, tuned.front.size());
     for (std::size_t i = 0; i < thumbs; ++i) {
         const std::size_t at = thumbs > 1 ? i * (tuned.front.size() - 1) / (thumbs - 1) : 0;
         const KnapsackChoice& choice = tuned.front[tuned.front.size() - 1 - at];
-        scene::RenderBuffers buffers;
-        const scene::Scene scene = read_with(source, settings_of(tuned.found.terms, choice.chosen));
-        const Image small =
-            fit(linear_of(draw_picture(scene, buffers, options.threads).encoded), kThumb, kThumb * 9 / 16);
+        std::vector<Setting> settings = settings_of(tuned.found.terms, choice.chosen);
+        settings.push_back(probe_size(read_with(source, {}).image, options.probe_pixels));
+        const Picture drawn = draw_with_baked(thumbnails, read_with(source, settings), options.threads);
+        const Image small = fit(linear_of(drawn.encoded), kThumb, kThumb * 9 / 16);
         const int x = kMargin + 40 + static_cast<int>(i) * (kThumb + 50), y = 44;
         draw_line(image, axes.place(choice.cost, choice.error),
                   {static_cast<float>(x + kThumb / 2), static_cast<float>(y + kThumb * 9 / 16)}, 1.0f, kSlate);

@@ -75,8 +75,8 @@ void add_covers(TableBuilder& covers, const std::vector<double>& t, int width, i
     }
 }
 
-void record_functions(const SceneRecord& record, const std::vector<std::vector<double>>& triangles,
-                      std::vector<StageTable>& tables) {
+void record_coverage_functions(const SceneRecord& record, const std::vector<std::vector<double>>& triangles,
+                               std::vector<StageTable>& tables) {
     const raster::Viewport& viewport = record.frame.plan.viewport;
     TableBuilder edge("edge_function", record.name), top_left("is_top_left", record.name);
     TableBuilder covers("covers", record.name), box("pixel_box", record.name);
@@ -118,7 +118,7 @@ void count_covers(StageRow& row) {
 
 void record_a1(const SceneRecord& record, std::vector<StageTable>& tables) {
     const std::vector<std::vector<double>> triangles = triangles_of(record);
-    record_functions(record, triangles, tables);
+    record_coverage_functions(record, triangles, tables);
     const raster::Viewport& viewport = record.frame.plan.viewport;
     TableBuilder picture("count_covers", record.name);
     std::vector<double> all;

@@ -100,7 +100,7 @@ void add_pixel(TableBuilder& picture, const SceneRecord& record, glm::ivec2 pixe
     picture.end_row(pixel);
 }
 
-void record_functions(const SceneRecord& record, std::vector<StageTable>& tables) {
+void record_depth_functions(const SceneRecord& record, std::vector<StageTable>& tables) {
     TableBuilder lambda("barycentric", record.name), depth("window_depth", record.name);
     TableBuilder nearer("is_nearer", record.name), weights("perspective_weights", record.name);
     for (const SeenPoint& p : some_points(record, 200)) {
@@ -128,7 +128,7 @@ void record_functions(const SceneRecord& record, std::vector<StageTable>& tables
 }  // namespace
 
 void record_a2(const SceneRecord& record, std::vector<StageTable>& tables) {
-    record_functions(record, tables);
+    record_depth_functions(record, tables);
     TableBuilder picture("draw_fragment", record.name);
     for (const SeenPoint& p : record.points) {
         const std::size_t i = static_cast<std::size_t>(p.pixel.y * record.frame.plan.viewport.width + p.pixel.x);

@@ -11,11 +11,11 @@ namespace kreda::tools {
 
 namespace {
 
-struct Corners {
+struct LitCorners {
     glm::vec3 place[3], normal[3];
 };
 
-Corners corners_of(const StageRow& row) {
+LitCorners lit_corners_of(const StageRow& row) {
     return {{row.vec3("a"), row.vec3("b"), row.vec3("c")}, {row.vec3("n_a"), row.vec3("n_b"), row.vec3("n_c")}};
 }
 
@@ -32,13 +32,13 @@ glm::vec3 face_normal(const glm::vec3& a, const glm::vec3& b, const glm::vec3& c
 }
 
 glm::vec3 flat_color(const StageRow& row) {
-    const Corners t = corners_of(row);
+    const LitCorners t = lit_corners_of(row);
     const glm::vec3 centre = (t.place[0] + t.place[1] + t.place[2]) * (1.0f / 3.0f);
     return light_at(row, centre, face_normal(t.place[0], t.place[1], t.place[2]));
 }
 
 glm::vec3 gouraud_color(const StageRow& row) {
-    const Corners t = corners_of(row);
+    const LitCorners t = lit_corners_of(row);
     const glm::vec3 w = row.vec3("w");
     glm::vec3 color(0.0f);
     for (int i = 0; i < 3; ++i) color += w[i] * light_at(row, t.place[i], lighting::unit(t.normal[i]));
@@ -46,7 +46,7 @@ glm::vec3 gouraud_color(const StageRow& row) {
 }
 
 glm::vec3 phong_color(const StageRow& row) {
-    const Corners t = corners_of(row);
+    const LitCorners t = lit_corners_of(row);
     const glm::vec3 w = row.vec3("w");
     glm::vec3 p(0.0f), n(0.0f);
     for (int i = 0; i < 3; ++i) {
@@ -65,7 +65,7 @@ glm::vec3 shade_pixel(const StageRow& row) {
     return glm::vec3(0.0f);
 }
 
-/// Corners on the screen are clockwise as they are seen; the course's are counter-clockwise.
+/// LitCorners on the screen are clockwise as they are seen; the course's are counter-clockwise.
 constexpr std::size_t kOrder[3] = {0, 2, 1};
 
 void add_corners(TableBuilder& builder, const SceneRecord& record, const SeenPoint& p, bool with_normals) {

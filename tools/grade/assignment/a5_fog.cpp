@@ -65,7 +65,7 @@ raster::Image film_without_fog(const scene::Scene& scene) {
     return scene::render(clear);
 }
 
-void record_functions(const SceneRecord& record, const raster::Image& clear, std::vector<StageTable>& tables) {
+void record_fog_functions(const SceneRecord& record, const raster::Image& clear, std::vector<StageTable>& tables) {
     const Fog& fog = record.scene().fog;
     const glm::vec3 eye = record.frame.lighting.eye, forward = record.frame.lighting.forward;
     TableBuilder planar("planar_distance", record.name), radial("radial_distance", record.name);
@@ -99,7 +99,7 @@ void record_functions(const SceneRecord& record, const raster::Image& clear, std
 
 void record_a5(const SceneRecord& record, std::vector<StageTable>& tables) {
     const raster::Image clear = film_without_fog(record.scene());
-    record_functions(record, clear, tables);
+    record_fog_functions(record, clear, tables);
     TableBuilder picture("foggy_pixel", record.name);
     for (const SeenPoint& p : record.points) {
         picture.add("p", p.position);

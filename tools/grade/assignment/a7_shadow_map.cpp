@@ -129,7 +129,7 @@ void add_compares(const SceneRecord& record, TableBuilder& lit, TableBuilder& fi
 }
 
 /// Rows for the functions before the last, in the order in which the last one calls them.
-void record_functions(const SceneRecord& record, std::vector<StageTable>& tables) {
+void record_shadow_functions(const SceneRecord& record, std::vector<StageTable>& tables) {
     const shadows::ShadowMap& map = map_of(record);
     TableBuilder space("light_space", record.name), place("map_place", record.name), bias("least_bias", record.name);
     TableBuilder lit("is_lit", record.name), filter("pcf", record.name);
@@ -164,7 +164,7 @@ void record_functions(const SceneRecord& record, std::vector<StageTable>& tables
 }  // namespace
 
 void record_a7(const SceneRecord& record, std::vector<StageTable>& tables) {
-    record_functions(record, tables);
+    record_shadow_functions(record, tables);
     const shadows::ShadowMap& map = map_of(record);
     TableBuilder picture("shadow_factor", record.name);
     picture.list("light_camera", camera_numbers(map));

@@ -8,8 +8,8 @@
 #include <unistd.h>
 
 #include "scene/files/hash_of_bytes.hpp"
-#include "scene/files/whole_file.hpp"
 #include "tools/grade/assignment/table_reader.hpp"
+#include "tools/write_file.hpp"
 
 namespace kreda::tools {
 
@@ -18,10 +18,6 @@ namespace {
 namespace fs = std::filesystem;
 
 const std::vector<std::string> kLanguage = {"-std=c++20", "-DGLM_FORCE_XYZW_ONLY"};
-
-void write_text(const fs::path& file, const std::string& text) {
-    scene::write_whole_file(file.string(), {std::as_bytes(std::span(text.data(), text.size()))});
-}
 
 bool can_write(const fs::path& folder) {
     std::error_code error;
@@ -76,7 +72,7 @@ void run_once(const Rubric& rubric, const Program& program, const CaseSet& cases
     fs::remove_all(work);
     fs::create_directories(work);
     const fs::path input_file = program.folder / "inputs.bin";
-    write_text(input_file, encode_tables(inputs));
+    write_file(input_file.string(), encode_tables(inputs));
     fs::permissions(input_file, fs::perms::others_read | fs::perms::group_read, fs::perm_options::add);
     BoxRequest request{{program.file.string(), input_file.string(), "outputs.bin"},
                        {program.file, input_file},

@@ -82,7 +82,7 @@ const Movement* find_movement(const std::string& table, const std::string& key) 
     return nullptr;
 }
 
-std::string trimmed(const std::string& text) {
+std::string without_brackets(const std::string& text) {
     const std::size_t begin = text.find_first_not_of(" []"), end = text.find_last_not_of(" []");
     return begin == std::string::npos ? "" : text.substr(begin, end - begin + 1);
 }
@@ -90,7 +90,7 @@ std::string trimmed(const std::string& text) {
 /// The numbers of one line `key = value`.
 std::string vary_line(const std::string& line, const std::string& table, bool by_whole_pixels, Dice& dice) {
     const std::size_t equals = line.find('=');
-    const std::string key = trimmed(line.substr(0, equals));
+    const std::string key = without_brackets(line.substr(0, equals));
     const std::string value = line.substr(equals + 1);
     if (value.find('"') != std::string::npos) return line;
     if (by_whole_pixels) {
@@ -115,7 +115,7 @@ std::string vary_scene(const std::string& text, std::uint32_t seed) {
     std::string varied, line, table;
     while (std::getline(lines, line)) {
         const bool is_comment = line.empty() || line[0] == '#';
-        if (!is_comment && line[0] == '[') table = trimmed(line);
+        if (!is_comment && line[0] == '[') table = without_brackets(line);
         if (!is_comment && line[0] != '[' && line.find('=') != std::string::npos) {
             line = vary_line(line, table, by_whole_pixels, dice);
         }

@@ -1,13 +1,11 @@
 #include "tools/grade/assignment/mistakes.hpp"
 
-#include <span>
-
 #include <unistd.h>
 
-#include "scene/files/whole_file.hpp"
 #include "tools/grade/assignment/build_program.hpp"
 #include "tools/grade/assignment/table_reader.hpp"
 #include "tools/grade/assignment/variant_source.hpp"
+#include "tools/write_file.hpp"
 
 namespace kreda::tools {
 
@@ -73,10 +71,6 @@ void make_folder_once(const fs::path& folder, const Fill& fill) {
     if (error) fs::remove_all(unfinished);  // somebody else was first
 }
 
-void write_text(const fs::path& file, const std::string& text) {
-    scene::write_whole_file(file.string(), {std::as_bytes(std::span(text.data(), text.size()))});
-}
-
 }  // namespace
 
 std::string read_solution(const Rubric& rubric) {
@@ -131,7 +125,7 @@ std::vector<std::vector<StageTable>> answers_of_variants(const Rubric& rubric, c
     const std::string name = content_name(read_text(files.harness.string()) + source);
     const fs::path built = grade_cache(rubric) / ("variants-" + name);
     make_folder_once(built, [&](const fs::path& folder) {
-        write_text(folder / "variants.cpp", source);
+        write_file((folder / "variants.cpp").string(), source);
         run_trusted({"/usr/bin/g++", "-std=c++20", "-DGLM_FORCE_XYZW_ONLY", "-O1", "-w", "-ffp-contract=off", "-I",
                      files.harness.parent_path().string(), (folder / "variants.cpp").string(), "-o",
                      (folder / "program").string()});
@@ -139,7 +133,7 @@ std::vector<std::vector<StageTable>> answers_of_variants(const Rubric& rubric, c
     const std::string inputs = encode_tables(cases.inputs);
     const fs::path answered = built / ("answers-" + content_name(inputs));
     make_folder_once(answered, [&](const fs::path& folder) {
-        write_text(folder / "inputs.bin", inputs);
+        write_file((folder / "inputs.bin").string(), inputs);
         run_trusted({(built / "program").string(), (folder / "inputs.bin").string(), folder.string()});
         fs::remove(folder / "inputs.bin");
     });
