@@ -6,6 +6,12 @@ namespace kreda::raster {
 
 namespace {
 
+/// NaN becomes 0.
+float exposed(float radiance, const FilmSettings& settings) {
+    const float scaled = radiance * settings.exposure;
+    return scaled > 0.0f ? scaled : 0.0f;
+}
+
 float tone_map(float radiance, const FilmSettings& settings) {
     switch (settings.tone_map) {
         case ToneMap::none: return radiance;
@@ -33,17 +39,31 @@ void count(float value, FilmReport& report) {
 }  // namespace
 
 float display_value(float radiance, const FilmSettings& settings) {
-    const float exposed = radiance * settings.exposure;
-    const float positive = exposed > 0.0f ? exposed : 0.0f;  // NaN becomes 0 here
-    return saturate(encode(saturate(tone_map(positive, settings)), settings));
+    return saturate(encode(saturate(tone_map(exposed(radiance, settings), settings)), settings));
 }
 
+/// display_value() of each, step by step: the loops hold no choice, so each becomes one over many lanes.
 Image develop(const Image& radiance, const FilmSettings& settings, FilmReport* report) {
     Image display = radiance;
-    for (float& value : display.values) {
-        if (report) count(value, *report);
-        value = display_value(value, settings);
+    const auto each = [&](auto step) {
+        for (float& value : display.values) value = step(value);
+    };
+    if (report) {
+        for (const float value : radiance.values) count(value, *report);
     }
+    each([&](float x) { return exposed(x, settings); });
+    switch (settings.tone_map) {
+        case ToneMap::none: break;
+        case ToneMap::reinhard: each([](float x) { return reinhard(x); }); break;
+        case ToneMap::reinhard_extended: each([&](float x) { return reinhard_extended(x, settings.white); }); break;
+    }
+    each([](float x) { return saturate(x); });
+    switch (settings.transfer) {
+        case Transfer::srgb: each([](float x) { return srgb_from_linear(x); }); break;
+        case Transfer::gamma: each([&](float x) { return pow(x, 1.0f / settings.gamma); }); break;
+        case Transfer::linear: break;
+    }
+    each([](float x) { return saturate(x); });
     return display;
 }
 

@@ -41,8 +41,8 @@ struct MeshReport {
         return open_edges == 0 && non_manifold_edges == 0 && flipped_edges == 0;
     }
     /// V - E + F: 2 for a sphere, 0 for a torus, summed over the components.
-    [[nodiscard]] long euler_characteristic() const {
-        return long{points} - long{edges} + long{faces};
+    [[nodiscard]] std::int64_t euler_characteristic() const {
+        return std::int64_t{points} - std::int64_t{edges} + std::int64_t{faces};
     }
 };
 

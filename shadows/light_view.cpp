@@ -101,7 +101,9 @@ LightView directional_view(const glm::vec3& direction, const LightBounds& caster
 }
 
 LightView spot_view(const ShadowLight& light, float near, float far, int size, int margin) {
-    const float tangent = std::tan(glm::radians(std::clamp(light.outer_cone_deg, 0.1f, kWidestSpotDeg)));
+    // In double and rounded once: C libraries differ in the last bit of a float's tangent.
+    const double angle = glm::radians(double{std::clamp(light.outer_cone_deg, 0.1f, kWidestSpotDeg)});
+    const float tangent = static_cast<float>(std::tan(angle));
     return perspective_view(light_axes(light.direction), light.position, tangent * with_margin(size, margin), near,
                             far);
 }

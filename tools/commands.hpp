@@ -22,5 +22,6 @@ void add_bench_command(CLI::App& app);
 void add_measure_command(CLI::App& app);
 void add_brdf_command(CLI::App& app);
 void add_tune_command(CLI::App& app);
+void add_view_command(CLI::App& app);
 
 }  // namespace kreda::tools

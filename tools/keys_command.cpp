@@ -5,10 +5,12 @@
 #include <string>
 
 #include <CLI/CLI.hpp>
+#include <nlohmann/json.hpp>
 
 #include "scene/files/read_scene.hpp"
 #include "scene/files/scene_keys.hpp"
 #include "tools/commands.hpp"
+#include "tools/keys_json.hpp"
 
 namespace kreda::tools {
 
@@ -43,10 +45,14 @@ void add_keys_command(CLI::App& app) {
     CLI::App* command =
         app.add_subcommand("keys", "Print every key of a scene file: default, meaning, what may be written");
     const auto example = std::make_shared<bool>(false);
+    const auto json = std::make_shared<bool>(false);
     command->add_flag("--example", *example, "Print a whole scene file to start from instead: the built-in one");
-    command->callback([example] {
+    command->add_flag("--json", *json, "Print the table as JSON, for programs")->excludes("--example");
+    command->callback([example, json] {
         if (*example)
             std::cout << scene::built_in_scene_text();
+        else if (*json)
+            std::cout << keys_as_json().dump(1) << "\n";
         else
             print_keys();
     });

@@ -28,6 +28,7 @@ Examples:
   kreda plan scene.toml --why-not                 which passes the scene requires, and why
   kreda stages scene.toml -o stages               every stage a picture; open stages/index.html
   kreda explain scene.toml --pixel 320,180        every formula of one pixel with its numbers
+  kreda view scene.toml                           a page that draws it live: camera, controls, views
   kreda sweep scene.toml --set fog.density=0.1,0.2,0.4 -o sheet.png   a table of pictures
   kreda bake dawn.hdr -o dawn                     the maps of light from an image as EXR files
   kreda compare mine.png golden.png               the same within limits? where not?
@@ -104,6 +105,7 @@ int main(int argc, char** argv) {
         kreda::tools::add_measure_command(app);
         kreda::tools::add_brdf_command(app);
         kreda::tools::add_tune_command(app);
+        kreda::tools::add_view_command(app);
         return run(app, argc, argv);
     } catch (const kreda::scene::UserError& error) {
         return complain(error.what(), kUserError);

@@ -12,6 +12,7 @@ from pathlib import Path
 
 sys.path.insert(0, str(Path(__file__).resolve().parent))
 import glossary
+import live
 import pages
 import pandoc
 import reference
@@ -148,6 +149,8 @@ class Site:
         body = pandoc.fragment(page.markdown, self.metadata, ROOT, folder if folder != "." else "", SITE / "filter.lua")
         body, rules = self.symbols.link(page, body)
         body = self.glossary.link(page, body)
+        if page.number in self.live:
+            body = live.put(body, self.live[page.number], page.title)
         eyebrow = f"{page.number[0]}x {pages.FAMILIES[page.number[0]]}" if page.number else ""
         self.write(page, body, pager=self.pager(page), symbolrules=rules, eyebrow=eyebrow,
                    kind="lesson" if page.number else "guide")
@@ -172,6 +175,7 @@ class Site:
         for name in ("style.css", "site.js", "icon.svg"):
             shutil.copyfile(SITE / name, self.folder / name)
         copy_pictures(self.pages, self.folder, self.out_examples)
+        self.live = live.write(ROOT, self.folder, self.kreda)
         with ThreadPoolExecutor(2) as pool:
             bodies = list(pool.map(self.convert, [p for p in self.pages if p.markdown]))
         made = {"docs/symbols.toml": "<p>Every symbol of every numbered equation: what it is, where the code has it, and its number at one "

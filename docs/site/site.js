@@ -49,6 +49,14 @@
     document.addEventListener('click', (event) => { if (!form.contains(event.target)) hits.hidden = true; });
   }
 
+  // A live figure is loaded when it is opened.
+  for (const figure of document.querySelectorAll('details.live')) {
+    figure.addEventListener('toggle', () => {
+      const frame = figure.querySelector('iframe');
+      if (figure.open && !frame.src) frame.src = frame.dataset.src;
+    });
+  }
+
   // Two pictures side by side become one with a handle.
   for (const pair of document.querySelectorAll('.pair')) {
     const [before, after] = pair.querySelectorAll('figure');

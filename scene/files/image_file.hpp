@@ -2,6 +2,7 @@
 // reads them and writes EXR; it is loaded when the first is needed (scene/files/image_module.hpp). libpng writes PNG.
 #pragma once
 
+#include <algorithm>
 #include <cstdint>
 #include <string>
 #include <vector>
@@ -55,7 +56,12 @@ struct StoredImage {
 [[nodiscard]] raster::Image read_image(const std::string& path, const ImageReadOptions& options = {});
 
 /// The byte that a PNG holds for an encoded value: round(255 c), c clamped to 0..1, NaN to 0.
-[[nodiscard]] std::uint8_t byte_from_encoded(float encoded);
+[[nodiscard]] inline std::uint8_t byte_from_encoded(float encoded) {
+    if (!(encoded > 0.0f)) return 0;  // true for NaN as well
+    const float scaled = 255.0f * std::min(encoded, 1.0f);
+    const int whole = static_cast<int>(scaled);
+    return static_cast<std::uint8_t>(whole + (scaled - static_cast<float>(whole) >= 0.5f ? 1 : 0));
+}
 
 /// The bytes of the file that write_png writes; `path` is named in errors.
 [[nodiscard]] std::vector<unsigned char> png_file_of(const std::string& path, const raster::Image& encoded);

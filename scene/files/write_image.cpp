@@ -1,7 +1,5 @@
 // The half of image_file.hpp that writes.
-#include <algorithm>
 #include <cctype>
-#include <cmath>
 #include <filesystem>
 
 #include "scene/error.hpp"
@@ -54,11 +52,6 @@ void check_not_empty(const std::string& path, const raster::Image& image) {
 }
 
 }  // namespace
-
-std::uint8_t byte_from_encoded(float encoded) {
-    if (!(encoded > 0.0f)) return 0;  // true for NaN as well
-    return static_cast<std::uint8_t>(std::lround(255.0f * std::min(encoded, 1.0f)));
-}
 
 std::vector<unsigned char> png_file_of(const std::string& path, const raster::Image& encoded) {
     check_not_empty(path, encoded);

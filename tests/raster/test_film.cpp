@@ -1,6 +1,8 @@
 // Tone mapping and transfer functions: numbers worked by hand, round trips, and values no display can show.
 #include <doctest/doctest.h>
 
+#include <algorithm>
+#include <bit>
 #include <cmath>
 #include <limits>
 
@@ -131,6 +133,29 @@ TEST_CASE("NaN shows as 0 and +infinity as the brightest and negative and -infin
             CHECK(report.not_a_number == 2);
             CHECK(report.infinite == 2);
             CHECK(report.negative == 1);
+        }
+    }
+}
+
+TEST_CASE("A whole film is developed as each of its values alone, bit for bit") {
+    std::vector<float> values;
+    for (std::uint32_t high = 0; high < 1u << 16; high += 5)
+        values.push_back(std::bit_cast<float>(high << 16 | 0x1234u));
+    Image radiance = make_image(static_cast<int>(values.size()), 1, 1);
+    std::copy(values.begin(), values.end(), radiance.values.begin());
+    for (const ToneMap tone_map : {ToneMap::none, ToneMap::reinhard, ToneMap::reinhard_extended}) {
+        for (const Transfer transfer : {Transfer::srgb, Transfer::gamma, Transfer::linear}) {
+            FilmSettings settings;
+            settings.exposure = 0.7f;
+            settings.tone_map = tone_map;
+            settings.transfer = transfer;
+            const Image shown = develop(radiance, settings);
+            std::size_t differ = 0;
+            for (std::size_t i = 0; i < values.size(); ++i) {
+                differ += std::bit_cast<std::uint32_t>(shown.values[i]) !=
+                          std::bit_cast<std::uint32_t>(display_value(values[i], settings));
+            }
+            CHECK(differ == 0);
         }
     }
 }

@@ -1,6 +1,7 @@
 #include "scene/files/image_file.hpp"
 
 #include <algorithm>
+#include <bit>
 #include <cmath>
 #include <csignal>
 #include <filesystem>
@@ -99,6 +100,16 @@ TEST_CASE("image file: PNG keeps every byte value in every channel") {
     for (std::size_t i = 0; i < image.values.size(); ++i) {
         CHECK(std::lround(255.0f * back.values[i]) == std::lround(255.0f * image.values[i]));
     }
+}
+
+TEST_CASE("image file: a byte is the nearest one, and half goes up, as lround has it") {
+    for (std::uint32_t bits = 0; bits < 0x3f800001u; bits += 997) {
+        const float encoded = std::bit_cast<float>(bits);
+        if (kreda::scene::byte_from_encoded(encoded) != std::lround(255.0f * encoded)) FAIL(encoded);
+    }
+    CHECK(kreda::scene::byte_from_encoded(0.5f / 255.0f) == std::lround(255.0f * (0.5f / 255.0f)));
+    CHECK(kreda::scene::byte_from_encoded(std::numeric_limits<float>::quiet_NaN()) == 0);
+    CHECK(kreda::scene::byte_from_encoded(std::numeric_limits<float>::infinity()) == 255);
 }
 
 TEST_CASE("image file: PNG rounds to the nearest byte and clamps") {

@@ -1,0 +1,51 @@
+"""Live figures: a lesson whose folder has a live.toml gets that scene as a page of `kreda view`, loaded when it is asked for."""
+import html
+import re
+import subprocess
+from concurrent.futures import ThreadPoolExecutor
+
+
+def scenes(root):
+    """{number of the lesson: file}. The first line of a file says which controls stand first: "# live: fog.density"."""
+    return {path.parent.name[:2]: path for path in sorted(root.glob("examples/[0-9][0-9]_*/live.toml"))}
+
+
+def controls(scene):
+    first = scene.read_text(encoding="utf-8").split("\n", 1)[0]
+    said = re.fullmatch(r"# live: (.+)", first)
+    if not said:
+        raise SystemExit(f"docs: {scene} must begin with '# live: KEY KEY ...', the controls that stand first")
+    return said.group(1).split()
+
+
+def write(root, folder, kreda):
+    """Pages live/NN.html; {number: page}. None where kreda has no page to put a scene in: the pictures stay."""
+    def one(item):
+        number, scene = item
+        page = folder / "live" / f"{number}.html"
+        chosen = [word for key in controls(scene) for word in ("--control", key)]
+        done = subprocess.run([kreda, "view", scene, "-o", page, "--quiet", *chosen], capture_output=True, text=True)
+        if done.returncode != 0 and "course view" not in done.stderr:
+            raise SystemExit(f"docs: {scene}: {done.stderr.strip()}")
+        return number, f"live/{number}.html" if done.returncode == 0 else None
+    (folder / "live").mkdir(parents=True, exist_ok=True)
+    with ThreadPoolExecutor(2) as pool:
+        made = dict(pool.map(one, scenes(root).items()))
+    if made and not any(made.values()):
+        print("note: ./course view builds what live figures need; this site has pictures alone")
+    return {number: page for number, page in made.items() if page}
+
+
+def figure(page, title):
+    """Behind a fold; site.js loads it when it is opened, the link works without."""
+    name = html.escape(title)
+    return (f'<details class="live"><summary>Open it live: turn the numbers, walk around</summary>'
+            f'<iframe data-src="{page}" title="{name}, live"></iframe>'
+            f'<p><a href="{page}">In a page of its own</a>, drawn by the same code as WebAssembly.</p></details>')
+
+
+def put(body, page, title):
+    """Behind the first picture, else at the end."""
+    live = figure(page, title)
+    at = body.find("</figure>")
+    return body + live if at < 0 else body[:at + 9] + live + body[at + 9:]

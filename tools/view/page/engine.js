@@ -1,0 +1,63 @@
+// The module in its worker: calls wait their turn; after a crash a new worker takes over with the same files.
+
+export class Engine {
+  /** `source`: of the worker, a string. `told`: hears one line when something went wrong. */
+  constructor(source, glue, wasm, told) {
+    this.source = source;
+    this.glue = glue;
+    this.wasm = wasm;
+    this.told = told;
+    this.files = {};
+    this.folder = '';
+    this.last = 0;
+  }
+
+  async start() {
+    this.waiting = new Map();
+    const address = URL.createObjectURL(new Blob([this.source], { type: 'text/javascript' }));
+    this.worker = new Worker(address);
+    this.worker.onmessage = ({ data }) => this.hear(data);
+    this.worker.onerror = (event) => this.crashed(event.message);
+    const { keys } = await this.call('start', this.glue, this.wasm);
+    await this.call('write', this.files, this.folder);
+    return keys;
+  }
+
+  /** Ask the worker; what it answers, or throws an Error with the line that kreda would print. */
+  call(name, ...values) {
+    const id = (this.last += 1);
+    this.worker.postMessage({ id, name, values });
+    return new Promise((resolve, reject) => this.waiting.set(id, { resolve, reject }));
+  }
+
+  hear({ id, answer, crash }) {
+    const caller = this.waiting.get(id);
+    this.waiting.delete(id);
+    if (crash !== undefined) this.crashed(crash, caller);
+    else if (answer.error !== undefined) caller?.reject(new Error(answer.error));
+    else caller?.resolve(answer);
+  }
+
+  async crashed(reason, caller) {
+    this.worker.terminate();
+    const restarting = new Error(`the module crashed (${reason}) and was started again`);
+    for (const other of [caller, ...this.waiting.values()]) other?.reject(restarting);
+    await this.start();
+    this.told(restarting.message);
+  }
+
+  /** More files for the scene, {path: bytes}; `folder` is where their paths and those of the scene start. */
+  async add(files, folder = this.folder) {
+    Object.assign(this.files, files);
+    this.folder = folder;
+    await this.call('write', files, folder);
+  }
+}
+
+/** Bytes from base 64, unpacked where they were packed with gzip. */
+export async function unpack(base64) {
+  const bytes = Uint8Array.from(atob(base64), (c) => c.charCodeAt(0));
+  if (bytes[0] !== 0x1f || bytes[1] !== 0x8b) return bytes;
+  const stream = new Blob([bytes]).stream().pipeThrough(new DecompressionStream('gzip'));
+  return new Uint8Array(await new Response(stream).arrayBuffer());
+}

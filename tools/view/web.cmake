@@ -1,0 +1,77 @@
+# Kreda as a WebAssembly module, and the page around it: what the preset `web` builds, with Debian's emscripten.
+#   build/web/share/kreda/view.html     the page, without a scene; `kreda view` puts one in
+#   build/web/bin/hash_*.js             programs for node that show that the module draws the same bits
+# The rooms are compiled as they are. Of scene/files only what needs OpenImageIO, libpng or other processes stays out:
+# tools/view/web_images.cpp reads images instead.
+
+# Debian's headers lie beside those of its own C library, which must not be seen: each package gets a folder of its own.
+set(web_headers ${CMAKE_BINARY_DIR}/headers)
+foreach(header IN ITEMS glm toml++ tiny_obj_loader.h nlohmann stb)
+  if(NOT EXISTS /usr/include/${header})
+    message(FATAL_ERROR "/usr/include/${header} is missing: ./course build web installs what is needed")
+  endif()
+  file(MAKE_DIRECTORY ${web_headers})
+  file(CREATE_LINK /usr/include/${header} ${web_headers}/${header} SYMBOLIC)
+endforeach()
+add_library(glm_headers INTERFACE)
+target_include_directories(glm_headers SYSTEM INTERFACE ${web_headers})
+
+# One thread; 128-bit lanes; exceptions as the browser has them.
+target_compile_options(kreda_flags INTERFACE -msimd128 -fwasm-exceptions -Wno-unknown-pragmas -Wno-unused-variable
+  "SHELL:-include ${PROJECT_SOURCE_DIR}/tools/view/web_std.hpp")
+target_compile_definitions(kreda_flags INTERFACE TOML_HEADER_ONLY=1 TOML_ENABLE_FORMATTERS=0)
+target_link_options(kreda_flags INTERFACE -fwasm-exceptions -sALLOW_MEMORY_GROWTH=1 -sMAXIMUM_MEMORY=2GB)
+
+# emcc's own scripts look for Debian's packages, which another node than Debian's does not find.
+set_property(GLOBAL PROPERTY RULE_LAUNCH_LINK "${CMAKE_COMMAND} -E env NODE_PATH=/usr/share/nodejs")
+
+kreda_room(raster PUBLIC glm_headers)
+kreda_room(lighting PUBLIC kreda_raster)
+kreda_room(shadows PUBLIC kreda_raster)
+kreda_room(scene PUBLIC kreda_lighting kreda_shadows)
+get_target_property(scene_sources kreda_scene SOURCES)
+list(FILTER scene_sources EXCLUDE REGEX
+  "/(image_file|image_module|image_message|child_process|png_bytes|write_image|webp_file|environment_cache|whole_file)\\.cpp$")
+list(FILTER scene_sources EXCLUDE REGEX "/gltf_(accessor|file|lights|material|model|nodes|primitive)\\.cpp$")
+# Reading takes no time worth its bytes: what is no pass is compiled for size.
+set(file_sources ${scene_sources})
+list(FILTER scene_sources INCLUDE REGEX "/scene/(render|plan)/")
+list(FILTER file_sources EXCLUDE REGEX "/scene/(render|plan)/")
+set_target_properties(kreda_scene PROPERTIES SOURCES "${scene_sources}")
+add_library(kreda_files STATIC ${file_sources} ${PROJECT_SOURCE_DIR}/tools/view/web_images.cpp
+  ${PROJECT_SOURCE_DIR}/tools/view/web_libraries.cpp)
+target_compile_options(kreda_files PRIVATE -Os)
+target_link_libraries(kreda_files PUBLIC kreda_lighting kreda_shadows)
+target_link_libraries(kreda_scene PUBLIC kreda_files)
+target_link_libraries(kreda_files PUBLIC kreda_scene)  # each calls the other
+
+file(GLOB explain_sources ${PROJECT_SOURCE_DIR}/tools/explain/*.cpp)
+list(FILTER explain_sources EXCLUDE REGEX "_command\\.cpp$")
+
+add_executable(kreda_web ${explain_sources} ${PROJECT_SOURCE_DIR}/tools/view/web_module.cpp
+  ${PROJECT_SOURCE_DIR}/tools/view/viewer.cpp ${PROJECT_SOURCE_DIR}/tools/view/explain_on_screen.cpp
+  ${PROJECT_SOURCE_DIR}/tools/view/scene_text.cpp
+  ${PROJECT_SOURCE_DIR}/tools/keys_json.cpp ${PROJECT_SOURCE_DIR}/tools/mesh_scene.cpp)
+target_link_libraries(kreda_web PRIVATE kreda_scene)
+set_target_properties(kreda_web PROPERTIES UNITY_BUILD OFF)
+target_compile_options(kreda_web PRIVATE -Os)
+set_source_files_properties(${PROJECT_SOURCE_DIR}/tools/view/viewer.cpp PROPERTIES COMPILE_OPTIONS -O3)
+target_link_options(kreda_web PRIVATE --no-entry -sMODULARIZE=1 -sEXPORT_NAME=makeKreda -sEXPORTED_RUNTIME_METHODS=ccall,FS
+  -sEXPORTED_FUNCTIONS=_malloc,_free -sENVIRONMENT=web,worker,node -sFILESYSTEM=1 -O2)  # the linker's own -O3 takes minutes and gives nothing
+
+set(view_page ${CMAKE_BINARY_DIR}/share/kreda/view.html)
+file(MAKE_DIRECTORY ${CMAKE_BINARY_DIR}/share/kreda)
+file(GLOB page_parts CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/tools/view/page/*)
+add_custom_command(OUTPUT ${view_page} DEPENDS kreda_web ${page_parts} ${PROJECT_SOURCE_DIR}/tools/view/bundle.mjs
+  COMMAND ${NODE_JS_EXECUTABLE} ${PROJECT_SOURCE_DIR}/tools/view/bundle.mjs
+          $<TARGET_FILE:kreda_web> $<TARGET_FILE_DIR:kreda_web>/kreda_web.wasm ${view_page}
+  COMMENT "Writing share/kreda/view.html" VERBATIM)
+add_custom_target(view_page ALL DEPENDS ${view_page})
+
+# Programs for node, not built unless a test asks: `node hash_scenes.js`, and with files of the disk hash_scene_files.js.
+add_executable(hash_scenes EXCLUDE_FROM_ALL ${PROJECT_SOURCE_DIR}/tests/variants/hash_scenes.cpp)
+add_executable(hash_scene_files EXCLUDE_FROM_ALL ${PROJECT_SOURCE_DIR}/tests/view/hash_scene_files.cpp)
+target_link_options(hash_scenes PRIVATE -O1 -sENVIRONMENT=node -sSINGLE_FILE=1)
+target_link_options(hash_scene_files PRIVATE -O1 -sENVIRONMENT=node -sSINGLE_FILE=1 -sNODERAWFS=1)
+target_link_libraries(hash_scenes PRIVATE kreda_scene)
+target_link_libraries(hash_scene_files PRIVATE kreda_scene)
