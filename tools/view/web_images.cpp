@@ -116,8 +116,8 @@ void read_integers(const std::string& path, const ImageBytes& file, Size size, S
 
 }  // namespace
 
-StoredImage read_stored_image(const std::string& path, const ImageReadOptions& options) {
-    const ImageBytes file = read_bytes(path);
+StoredImage read_stored_bytes(const std::string& path, const std::string& bytes, const ImageReadOptions& options) {
+    const ImageBytes file{bytes};
     const std::string other = other_content(file.bytes);
     if (!other.empty()) throw UserError(Place{path}, other);
     const Size size = checked_size(path, file, options);
@@ -127,6 +127,10 @@ StoredImage read_stored_image(const std::string& path, const ImageReadOptions& o
     else
         read_integers(path, file, size, stored);
     return stored;
+}
+
+StoredImage read_stored_image(const std::string& path, const ImageReadOptions& options) {
+    return read_stored_bytes(path, read_bytes(path).bytes, options);
 }
 
 raster::Image read_image(const std::string& path, const ImageReadOptions& options) {
