@@ -22,6 +22,7 @@ if(KREDA_TOOLS)
   target_compile_definitions(tomlplusplus_headers INTERFACE TOML_HEADER_ONLY=1 TOML_ENABLE_FORMATTERS=0)
 
   find_package(PNG REQUIRED)
+  find_package(Freetype REQUIRED)
   find_package(ZLIB REQUIRED)
   find_path(CLI11_INCLUDE_DIR CLI/CLI.hpp REQUIRED)
   find_path(NLOHMANN_INCLUDE_DIR nlohmann/json.hpp REQUIRED)
