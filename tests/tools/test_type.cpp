@@ -165,3 +165,24 @@ TEST_CASE("type: what lies outside of the picture is cut off") {
     }
     CHECK(light_of(image) < 400.0);
 }
+
+TEST_CASE("type: without a typeface one line says what to install and the slide is drawn all the same") {
+    const tests::TempFolder folder;
+    folder.write("ball.toml", "[image]\nsize = [24, 16]\n[[light]]\n[[object]]\nmesh = \"sphere\"\ndetail = 8\n");
+    const auto slide = [&](const char* name) {
+        return tests::run_kreda({"render", "ball.toml", "--slides", "dark", "-o", name}, folder.path.string());
+    };
+    setenv("KREDA_FONTS", folder.path.c_str(), 1);
+    const tests::Outcome without = slide("without.png");
+    unsetenv("KREDA_FONTS");
+    CHECK(without.exit_code == 0);
+    CHECK(without.err.find("fonts-dejavu-core") != std::string::npos);
+    CHECK(without.err.find("fonts-dejavu-core") == without.err.rfind("fonts-dejavu-core"));
+    const raster::Image plain = scene::read_image(folder.file("without.png"));
+    CHECK(plain.width == 1920);
+    if (!has_typeface()) return MESSAGE("SKIPPED: no typeface");
+    const tests::Outcome with = slide("with.png");
+    CHECK(with.exit_code == 0);
+    CHECK(with.err.find("fonts-dejavu-core") == std::string::npos);
+    CHECK(scene::read_image(folder.file("with.png")).values != plain.values);  // the title
+}
