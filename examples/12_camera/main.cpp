@@ -8,8 +8,8 @@
 #include <glm/ext/matrix_transform.hpp>
 #include <glm/trigonometric.hpp>
 
-#include "examples/draw.hpp"
 #include "examples/example.hpp"
+#include "examples/number_table.hpp"
 #include "raster/camera.hpp"
 #include "raster/screen.hpp"
 
@@ -73,28 +73,6 @@ Panel draw_space(glm::ivec2 size, const char* name, const glm::mat4& space_from_
     return {image, name};
 }
 
-using Row = std::array<std::string, 5>;  ///< a space and the corner's coordinates in it
-
-Row row(const char* space, glm::vec4 p, int count) {
-    Row cells = {space};
-    for (int i = 0; i < count; ++i) {
-        char text[16];
-        std::snprintf(text, sizeof text, "%.3f", double(p[i]));
-        cells[std::size_t(i + 1)] = text;
-    }
-    return cells;
-}
-
-/// A column each, numbers flush right.
-void add_row(Panel& table, const Row& cells, float baseline, float size, const glm::vec3& color) {
-    const float width = float(table.image.width);
-    for (std::size_t i = 0; i < cells.size(); ++i) {
-        const float right = (0.28f + 0.17f * float(i)) * width;
-        const float x = i == 0 ? 0.05f * width : right - tools::type_width(cells[i], size);
-        if (!cells[i].empty()) table.labels.push_back({{x, baseline}, cells[i], color, size});
-    }
-}
-
 /// The corner's coordinates in every space, printed and as a picture.
 void draw_table(const Options& options) {
     const raster::Viewport viewport{640, 360};
@@ -103,18 +81,18 @@ void draw_table(const Options& options) {
     const glm::vec4 clip = clip_from_view(kCamera, 16.0f / 9.0f) * view;
     const raster::ScreenVertex screen = raster::to_screen(clip, viewport);
     const glm::vec4 window(float(screen.x) / 256.0f, float(screen.y) / 256.0f, screen.z, screen.inv_w);
-    const std::array<Row, 6> rows = {row("object", glm::vec4(kCorner, 1.0f), 4),
-                                     row("world", world, 4),
-                                     row("view", view, 4),
-                                     row("clip", clip, 4),
-                                     row("clip/w", clip / clip.w, 3),
-                                     row("window", window, 3)};
+    const std::array<NumberRow, 6> rows = {number_row("object", glm::vec4(kCorner, 1.0f), 4),
+                                           number_row("world", world, 4),
+                                           number_row("view", view, 4),
+                                           number_row("clip", clip, 4),
+                                           number_row("clip/w", clip / clip.w, 3),
+                                           number_row("window", window, 3)};
     Panel table = empty_panel({options.width, options.height});
     const float line = float(options.height) / 9.0f, size = 1.2f * caption_size(options.height);
     add_row(table, {"", "$x$", "$y$", "$z$", "$w$"}, 1.6f * line, size, kYellow);
     std::printf("               x        y        z        w\n");
     for (std::size_t i = 0; i < rows.size(); ++i) {
-        const Row& r = rows[i];
+        const NumberRow& r = rows[i];
         std::printf("%-8s%9s%9s%9s%9s\n", r[0].c_str(), r[1].c_str(), r[2].c_str(), r[3].c_str(), r[4].c_str());
         add_row(table, r, (2.6f + float(i)) * line, size, kChalk);
     }

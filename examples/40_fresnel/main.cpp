@@ -6,6 +6,7 @@
 
 #include <glm/trigonometric.hpp>
 
+#include "examples/plot_legend.hpp"
 #include "examples/plots.hpp"
 #include "tools/measure/fresnel_methods.hpp"
 
@@ -64,21 +65,6 @@ Plot metal_plot(const std::string& name) {
     return plot;
 }
 
-/// What the curves of the small plots are; their colours and markers are those of tools/draw/plot_style.hpp.
-Panel legend_panel(glm::ivec2 size, int picture_height) {
-    const std::pair<const char*, std::uint32_t> lines[] = {{"● $s$;  red", 0xf0e442},
-                                                           {"■ $p$;  green", 0x56b4e9},
-                                                           {"▲ mean of both;  blue", 0xe69f00},
-                                                           {"◆ Schlick", 0xf2eee4}};
-    Panel panel = empty_panel(size);
-    const float type = caption_size(picture_height);
-    for (const auto& [text, color] : lines) {
-        const float down = 1.8f * static_cast<float>(panel.labels.size() + 1);
-        panel.labels.push_back({type * glm::vec2(0.8f, down), text, srgb(color), type});
-    }
-    return panel;
-}
-
 /// All methods on platinum's red, where they differ most: 60 to 90 degrees.
 Plot methods_plot() {
     constexpr AxisRange kGrazing{60.0, 90.0};
@@ -133,7 +119,7 @@ void draw(const Options& options) {
                  panel("as2s3", "As₂S₃, $n$ = 2.04", dielectric_plot(2.04f)),
                  panel("germanium", "germanium, $n$ = 4.01", dielectric_plot(4.01f)),
                  panel("platinum", "platinum", metal_plot("platinum")), panel("gold", "gold", metal_plot("gold")),
-                 legend_panel(size, options.height)});
+                 plot_legend(size, options.height, {"$s$;  red", "$p$;  green", "mean of both;  blue", "Schlick"})});
     save_plot(options, "methods", "", methods_plot());
     print_errors();
 }

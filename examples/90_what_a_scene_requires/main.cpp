@@ -1,7 +1,6 @@
 // 90_what_a_scene_requires: the plan. Five scenes, and which passes each of them needs, with what they cost.
 // Page docs/90_what_a_scene_requires.md | After 24_shading, 30_fog | New: make_plan(), PlannedPass, PassCost
-// Break at: list_passes | Look at: plan.passes, plan.frequency, plan.vertex | Try: switch a lamp off, set
-// fog.density to 0
+// Break at: list_passes | Look at: plan.passes, plan.frequency, plan.vertex | Try: switch a lamp off, no fog
 #include <cmath>
 #include <cstdio>
 
@@ -101,10 +100,8 @@ void draw_pruned(const Options& options) {
         char line[3][64];
         std::snprintf(line[0], 64, "%s: %zu passes", prune ? "what is seen" : "everything", plan.passes.size());
         std::snprintf(line[1], 64, "%.1f million operations", 1e-6 * total_operations(plan));
-        std::snprintf(line[2], 64, "%.1f MB", 1e-6 * static_cast<double>(total_bytes(plan)));
-        for (int i = 0; i < 3; ++i) {
-            panel.labels.push_back({{x + 4, y + 12 * i * scale}, line[i], i ? kChalk : kYellow, type});
-        }
+        std::snprintf(line[2], 64, "%.1f MB", 1e-6 * double(total_bytes(plan)));
+        for (int i = 0; i < 3; ++i) panel.labels.push_back({{x + 4, y + 12 * i * scale}, line[i], kChalk, type});
         paste(panel.image, buffers.film, x, 0);
         std::printf("%s, %s, %s, %.2f ms\n", line[0], line[1], line[2], ms);
     }
@@ -117,10 +114,8 @@ void draw(const Options& options) {
     const float type = caption_size(options.height);
     const std::vector<PlannedScene> scenes = five_scenes({column - 4, top - 12 * scale});
     Panel panel(make_board(options.width, options.height));
-    for (std::size_t r = 0; r < kPasses.size(); ++r) {
-        const glm::vec2 start(4 * scale, top + static_cast<int>(r) * row + row / 2 + 3 * scale);
-        panel.labels.push_back({start, kPasses[r], kChalk, type});
-    }
+    int y = top + row / 2 + 3 * scale - row;
+    for (const std::string& pass : kPasses) panel.labels.push_back({{4 * scale, y += row}, pass, kChalk, type});
     for (int c = 0; c < 5; ++c) {
         const auto& [name, scene] = scenes[static_cast<std::size_t>(c)];
         const scene::RenderPlan plan = make_plan(scene);

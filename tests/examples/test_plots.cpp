@@ -10,13 +10,14 @@ using namespace kreda::tests;
 
 namespace {
 
-/// Do all points of a series lie on y = f(x)? The files have six digits, the programs floats.
+/// Do all points of a series lie on y = f(x)? The files have six digits: x is off by 5e-5 where slopes are 0.2, so y by
+/// 1e-5; the programs compute in floats.
 template <class F>
 void check_curve(const char* plot, const char* series, F f) {
     for (const glm::dvec2& p : golden_series(plot, series)) {
         CAPTURE(series);
         CAPTURE(p.x);
-        CHECK(std::abs(p.y - f(p.x)) <= 2e-5 * std::max(std::abs(f(p.x)), 1e-3));
+        CHECK(std::abs(p.y - f(p.x)) <= 1e-5 + 2e-5 * std::abs(f(p.x)));
     }
 }
 
@@ -69,11 +70,14 @@ TEST_CASE("95_depth_precision: sixteen bits keep the gap that the derivative of 
     }
 }
 
-TEST_CASE("97_extremes: as printed the error is beyond use and as arranged it is a few roundings") {
-    for (const glm::dvec2& p : golden_series("97_extremes/fresnel", "$g$ − $c$ as ($n^2$ − 1) / ($g$ + $c$)")) {
-        CHECK(p.y < 1e-2);  // n itself is a float: n^2 - 1 = 2e-5 has but three digits
-    }
-    double worst = 0.0;
-    for (const glm::dvec2& p : golden_series("97_extremes/fresnel", "as printed")) worst = std::max(worst, p.y);
-    CHECK(worst > 0.1);
+TEST_CASE("97_extremes: as printed the error is that of a difference and as arranged it is a few roundings") {
+    const auto worst = [](const char* series) {
+        double most = 0.0;
+        for (const glm::dvec2& p : golden_series("97_extremes/fresnel", series)) most = std::max(most, p.y);
+        return most;
+    };
+    // At c = 1 g - c is 1e-5, and g and c are rounded to 6e-8: 0.6 percent of the difference, twice that of its square.
+    CHECK(worst("as printed") > 1e-3);
+    CHECK(worst("as printed") < 2e-2);
+    CHECK(worst("$g$ − $c$ as ($n^2$ − 1) / ($g$ + $c$)") < 1e-5);
 }

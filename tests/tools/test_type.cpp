@@ -4,6 +4,7 @@
 #include <string>
 
 #include <doctest/doctest.h>
+#include <glm/common.hpp>
 
 #include "scene/files/image_file.hpp"
 #include "tests/scene/temp_folder.hpp"
@@ -21,6 +22,13 @@ const glm::vec3 kWhite(1.0f);
 
 raster::Image black(int width, int height) {
     return make_board(width, height, glm::vec3(0.0f));
+}
+
+/// Says so, too.
+bool no_typeface() {
+    if (has_typeface()) return false;
+    MESSAGE("SKIPPED: no typeface");
+    return true;
 }
 
 /// Pixels' worth of white on a black picture.
@@ -65,7 +73,7 @@ TEST_CASE("markup: what is no UTF-8 is shown as such and ends nothing") {
 }
 
 TEST_CASE("type: a text is as wide as its letters one after the other") {
-    if (!has_typeface()) return MESSAGE("SKIPPED: no typeface");
+    if (no_typeface()) return;
     for (const char* text : {"roughness", "AVATAR", "čćžšđřěů", "Шта је сенка?"}) {
         float sum = 0.0f;
         for (const char32_t c : code_points(text)) {
@@ -83,7 +91,7 @@ TEST_CASE("type: a text is as wide as its letters one after the other") {
 }
 
 TEST_CASE("type: letters of five languages are in the typeface") {
-    if (!has_typeface()) return MESSAGE("SKIPPED: no typeface");
+    if (no_typeface()) return;
     const TypeBox missing = type_ink({0.0f, 0.0f}, "\U000e0fff", 64.0f);  // a plane without letters
     for (const char* letter :
          {"č", "ć", "ž", "š", "đ", "ř", "ě", "ů", "Ж", "љ", "ћ", "α", "$α$", "π", "θ", "≤", "·", "²"}) {
@@ -95,7 +103,7 @@ TEST_CASE("type: letters of five languages are in the typeface") {
 }
 
 TEST_CASE("type: a subscript reaches below the baseline and a superscript above what stands on it") {
-    if (!has_typeface()) return MESSAGE("SKIPPED: no typeface");
+    if (no_typeface()) return;
     const TypeBox x = type_ink({0.0f, 0.0f}, "$x$", 30.0f);
     const TypeBox sub = type_ink({0.0f, 0.0f}, "$x_0$", 30.0f), super = type_ink({0.0f, 0.0f}, "$x^0$", 30.0f);
     CHECK(x.high.y < 1.0f);
@@ -106,7 +114,7 @@ TEST_CASE("type: a subscript reaches below the baseline and a superscript above 
 }
 
 TEST_CASE("type: ink stays in the box that is told of it and reaches its sides") {
-    if (!has_typeface()) return MESSAGE("SKIPPED: no typeface");
+    if (no_typeface()) return;
     const glm::vec2 start(7.3f, 40.6f);
     const char* text = "$E_{ab}$ gÖ^";
     raster::Image image = black(160, 60);
@@ -130,7 +138,7 @@ TEST_CASE("type: ink stays in the box that is told of it and reaches its sides")
 }
 
 TEST_CASE("type: a rectangle covers its area wherever it stands") {
-    if (!has_typeface()) return MESSAGE("SKIPPED: no typeface");
+    if (no_typeface()) return;
     for (const glm::vec2 start : {glm::vec2(20.0f, 80.0f), glm::vec2(20.25f, 80.5f), glm::vec2(20.7f, 79.1f)}) {
         const double area = area_of(type_ink(start, "█", 50.0f));  // U+2588, a full block
         // Coverage comes in steps of 1/256 along a border of 2 (30 + 60) pixels, off by half a step each at most.
@@ -139,13 +147,13 @@ TEST_CASE("type: a rectangle covers its area wherever it stands") {
 }
 
 TEST_CASE("type: the area of letters grows with the square of their size") {
-    if (!has_typeface()) return MESSAGE("SKIPPED: no typeface");
+    if (no_typeface()) return;
     const double small = light_of_text("Bg", {10.0f, 90.0f}, 30.0f), large = light_of_text("Bg", {10.0f, 90.0f}, 60.0f);
     CHECK(large == doctest::Approx(4.0 * small).epsilon(0.01));  // the same outline, rounded to 1/64 pixel
 }
 
 TEST_CASE("type: letters are blended in linear light") {
-    if (!has_typeface()) return MESSAGE("SKIPPED: no typeface");
+    if (no_typeface()) return;
     raster::Image on_black = black(100, 80), on_grey = make_board(100, 80, glm::vec3(0.5f));
     draw_type(on_black, {10.2f, 60.3f}, "S", kWhite, 60.0f);
     draw_type(on_grey, {10.2f, 60.3f}, "S", kWhite, 60.0f);
@@ -158,7 +166,7 @@ TEST_CASE("type: letters are blended in linear light") {
 }
 
 TEST_CASE("type: what lies outside of the picture is cut off") {
-    if (!has_typeface()) return MESSAGE("SKIPPED: no typeface");
+    if (no_typeface()) return;
     raster::Image image = black(20, 20);
     for (const glm::vec2 start : {glm::vec2(-30.0f, 15.0f), glm::vec2(5.0f, -2.0f), glm::vec2(15.0f, 40.0f)}) {
         draw_type(image, start, "Wg", kWhite, 40.0f);
@@ -180,7 +188,7 @@ TEST_CASE("type: without a typeface one line says what to install and the slide 
     CHECK(without.err.find("fonts-dejavu-core") == without.err.rfind("fonts-dejavu-core"));
     const raster::Image plain = scene::read_image(folder.file("without.png"));
     CHECK(plain.width == 1920);
-    if (!has_typeface()) return MESSAGE("SKIPPED: no typeface");
+    if (no_typeface()) return;
     const tests::Outcome with = slide("with.png");
     CHECK(with.exit_code == 0);
     CHECK(with.err.find("fonts-dejavu-core") == std::string::npos);
