@@ -87,7 +87,6 @@ Plot methods_plot() {
                        [&](float c) { return fresnel_lookup(c, table.r.data(), kSmallTable); })};
     plot.x_range = kGrazing;
     plot.y_range = {0.4, 1.0};
-    plot.key = "inside left bottom Left reverse";
     return plot;
 }
 
