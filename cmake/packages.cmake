@@ -25,6 +25,7 @@ if(KREDA_TOOLS)
   find_path(TINYGLTF_INCLUDE_DIR tiny_gltf.h)
 
   find_package(PNG REQUIRED)
+  find_package(Freetype REQUIRED)
   find_package(ZLIB REQUIRED)
   find_path(CLI11_INCLUDE_DIR CLI/CLI.hpp REQUIRED)
   find_path(NLOHMANN_INCLUDE_DIR nlohmann/json.hpp REQUIRED)

@@ -2,7 +2,9 @@
 
 #include <cstdio>
 #include <filesystem>
+#include <fstream>
 #include <iostream>
+#include <sstream>
 
 #include <CLI/CLI.hpp>
 
@@ -36,6 +38,32 @@ void make_folder(const std::string& folder) {
     if (failed) throw scene::UserError(scene::Place{folder}, "this folder cannot be made: " + failed.message());
 }
 
+/// `name` may have one folder in it.
+void write_panel(const Options& options, const std::string& name, const Image& encoded) {
+    const std::filesystem::path file = options.folder + "/panels/" + name + ".png";
+    make_folder(file.parent_path().string());
+    scene::write_png(file.string(), encoded);
+}
+
+/// A line for each text of a picture: the picture's name and size, the text's box and size, the text.
+std::string layout_lines(const std::string& file, const Composition& picture) {
+    std::ostringstream lines;
+    for (const TextBox& text : picture.texts) {
+        lines << file << ' ' << picture.image.width << ' ' << picture.image.height << ' ' << text.box.low.x << ' '
+              << text.box.low.y << ' ' << text.box.high.x << ' ' << text.box.high.y << ' ' << text.size << ' '
+              << text.text << '\n';
+    }
+    return lines.str();
+}
+
+void write_composition(const Options& options, const std::string& file, const Composition& picture) {
+    scene::write_png(options.folder + "/" + file + ".png", develop(picture.image, {}));
+    if (!options.panels) return;
+    make_folder(options.folder + "/panels");
+    std::ofstream layout(options.folder + "/panels/layout.txt", std::ios::app);
+    if (!(layout << layout_lines(file, picture))) throw scene::UserError(scene::Place{options.folder}, "cannot write");
+}
+
 }  // namespace
 
 int run(int argc, char** argv, const std::string& name, void (*draw)(const Options&), Options options) {
@@ -46,11 +74,14 @@ int run(int argc, char** argv, const std::string& name, void (*draw)(const Optio
     app.add_option(
         "--size", size,
         "size of the pictures (default: " + std::to_string(options.width) + "x" + std::to_string(options.height) + ")");
+    app.add_flag("--panels", options.panels,
+                 "also write what was computed, panel by panel and without any text, and where the texts stand");
     try {
         app.parse(argc, argv);
         if (!size.empty()) read_size(size, options);
         options.folder = out + "/" + name;
         make_folder(options.folder);
+        std::filesystem::remove_all(options.folder + "/panels");
         draw(options);
         return 0;
     } catch (const CLI::ParseError& error) {
@@ -63,7 +94,22 @@ int run(int argc, char** argv, const std::string& name, void (*draw)(const Optio
 
 void save(const Options& options, const std::string& file, const raster::Image& linear,
           const raster::FilmSettings& film) {
-    scene::write_png(options.folder + "/" + file + ".png", develop(linear, film));
+    const Image picture = develop(linear, film);
+    scene::write_png(options.folder + "/" + file + ".png", picture);
+    if (options.panels) write_panel(options, file, picture);
+}
+
+void save_panels(const Options& options, const std::string& file, int columns, const std::vector<Panel>& panels) {
+    write_composition(options, file, compose({options.width, options.height}, columns, panels));
+    for (std::size_t i = 0; options.panels && i < panels.size(); ++i) {
+        if (!panels[i].is_computed) continue;
+        write_panel(options, file + "/" + panel_name(i, panels[i]), develop(panels[i].image, {}));
+    }
+}
+
+void save_panel(const Options& options, const std::string& file, const Panel& panel) {
+    write_composition(options, file, compose({panel.image.width, panel.image.height}, 1, {panel}));
+    if (options.panels && panel.is_computed) write_panel(options, file, develop(panel.image, {}));
 }
 
 scene::Scene read_scene(const Options& options, const std::string& path) {

@@ -2,7 +2,9 @@
 #pragma once
 
 #include <string>
+#include <vector>
 
+#include "examples/panel.hpp"
 #include "raster/film.hpp"
 #include "raster/image.hpp"
 #include "scene/scene.hpp"
@@ -13,16 +15,24 @@ namespace kreda::examples {
 struct Options {
     int width = 640;  ///< size of every picture, in pixels
     int height = 360;
-    std::string folder;  ///< where the pictures go: OUT/NN_name, there already
+    std::string folder;   ///< where the pictures go: OUT/NN_name, there already
+    bool panels = false;  ///< write what was computed, panel by panel, and where every text stands, too
 };
 
-/// Read `--out DIR`, `--size WxH`, `--help`; make the folder OUT/name; call draw. The result is main's: 0, or 2 after
-/// one line on stderr when the user can mend it.
+/// Read `--out DIR`, `--size WxH`, `--panels`, `--help`; make the folder OUT/name; call draw. The result is main's: 0,
+/// or 2 after one line on stderr when the user can mend it.
 int run(int argc, char** argv, const std::string& name, void (*draw)(const Options&), Options defaults = {});
 
 /// Write linear RGB as OUT/NN_name/<file>.png, 8-bit sRGB.
 void save(const Options& options, const std::string& file, const raster::Image& linear,
           const raster::FilmSettings& film = {});
+
+/// Put panels side by side in OUT/NN_name/<file>.png. With `--panels` also write each panel that was computed, without
+/// its texts, as OUT/NN_name/panels/<file>/<panel_name>.png.
+void save_panels(const Options& options, const std::string& file, int columns, const std::vector<Panel>& panels);
+
+/// One panel that is the whole picture; with `--panels` it is OUT/NN_name/panels/<file>.png, too.
+void save_panel(const Options& options, const std::string& file, const Panel& panel);
 
 /// Read the scene file of an example and give it the size of the command line.
 [[nodiscard]] scene::Scene read_scene(const Options& options, const std::string& path);

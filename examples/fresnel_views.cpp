@@ -37,16 +37,15 @@ std::vector<float> cosines_of_views(const raster::Mesh& mesh, glm::ivec2 size) {
     return cosines;
 }
 
-void add_comparison(const Subject& subject, glm::ivec2 size, int picture_height,
-                    const lighting::ThreeChannelIndex& index, float gain, std::vector<Image>& panels) {
+void add_comparison(const Subject& subject, glm::ivec2 size, const lighting::ThreeChannelIndex& index, float gain,
+                    std::vector<Panel>& panels) {
     const FresnelCurve schlick = fresnel_curves(index)[1];
     const FresnelCurve exact = {
         "exact", [&index](float c, int i) { return static_cast<float>(exact_fresnel(c, index.n[i], index.k[i])); }};
     raster::Camera camera = comparison_camera(kShownView);
     camera.vertical_fov_deg = 64.0f;
     const auto add = [&](const std::string& name, const SurfaceColor& color) {
-        panels.push_back(paint(subject.mesh, camera, size, 3, glm::vec3(0.0f), color));
-        draw_caption(panels.back(), name, text_scale(picture_height));
+        panels.emplace_back(paint(subject.mesh, camera, size, 3, glm::vec3(0.0f), color), name);
     };
     add("exact", [&](const SurfacePoint& point) { return color_of(exact, positive_n_dot_v(point)); });
     add("Schlick", [&](const SurfacePoint& point) { return color_of(schlick, positive_n_dot_v(point)); });

@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "examples/draw.hpp"
+#include "examples/panel.hpp"
 #include "tools/measure/fresnel_methods.hpp"
 #include "tools/measure/views_around.hpp"
 
@@ -18,8 +18,8 @@ using tools::exact_fresnel, tools::fresnel_curves, tools::FresnelCurve, tools::m
 
 /// Append four panels: F exact, F by Schlick, the mask of what is compared, and the relative difference `gain` times as
 /// bright.
-void add_comparison(const Subject& subject, glm::ivec2 size, int picture_height,
-                    const lighting::ThreeChannelIndex& index, float gain, std::vector<Image>& panels);
+void add_comparison(const Subject& subject, glm::ivec2 size, const lighting::ThreeChannelIndex& index, float gain,
+                    std::vector<Panel>& panels);
 
 /// Mean relative error over all pixels of 180 views of each subject, for each method and material, as a table on
 /// stdout.

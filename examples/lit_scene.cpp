@@ -100,10 +100,8 @@ lighting::Material microfacet(const glm::vec3& albedo, float metallic, float rou
     return material;
 }
 
-Image captioned(const scene::Scene& scene, const std::string& caption, int picture_height) {
-    Image image = scene::render(scene);
-    draw_caption(image, caption, text_scale(picture_height));
-    return image;
+Panel captioned(const scene::Scene& scene, const std::string& caption) {
+    return {scene::render(scene), caption};
 }
 
 Image difference_picture(const Image& a, const Image& b, float gain) {

@@ -8,7 +8,7 @@
 
 #include <glm/mat4x4.hpp>
 
-#include "examples/draw.hpp"
+#include "examples/panel.hpp"
 #include "scene/scene.hpp"
 
 namespace kreda::examples {
@@ -42,8 +42,8 @@ int add_shape(scene::Scene& scene, const std::string& shape, int detail, const g
 /// A material of Cook and Torrance's model: GGX, height-correlated Smith.
 [[nodiscard]] lighting::Material microfacet(const glm::vec3& albedo, float metallic, float roughness);
 
-/// Render the scene and write a caption on the picture.
-[[nodiscard]] Image captioned(const scene::Scene& scene, const std::string& caption, int picture_height);
+/// Render the scene to linear radiance, with a caption.
+[[nodiscard]] Panel captioned(const scene::Scene& scene, const std::string& caption);
 
 /// |a - b|, `gain` times as bright.
 [[nodiscard]] Image difference_picture(const Image& a, const Image& b, float gain);

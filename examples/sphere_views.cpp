@@ -32,15 +32,19 @@ glm::ivec2 place_in_cross(int face) {
 
 /// `place` tells where a direction lies on the picture, in pixels. A name stands below its place, within the picture.
 template <class Place>
-void write_axes(Image& picture, int scale, Place place) {
+Panel with_axes(Panel panel, float size, Place place) {
     for (const char* name : {"+x", "-x", "+y", "-y", "+z", "-z"}) {
         glm::vec3 axis(0.0f);
         axis[name[1] - 'x'] = name[0] == '+' ? 1.0f : -1.0f;
-        const glm::ivec2 at = glm::ivec2(place(axis));
-        const glm::ivec2 corner = glm::clamp(at + scale * glm::ivec2(-6, 3), glm::ivec2(scale),
-                                             glm::ivec2(picture.width - 12 * scale, picture.height - 8 * scale));
-        draw_text(picture, corner.x, corner.y, name, kChalk, scale);
+        const std::string text = std::string(1, name[0]) + "$" + name[1] + "$";
+        const float width = tools::type_width(text, size);
+        const glm::vec2 below = place(axis) + glm::vec2(-0.5f * width, size);
+        const glm::vec2 lowest(panel.image.width, panel.image.height);
+        const glm::vec2 start =
+            glm::clamp(below, glm::vec2(0.1f * size, size), lowest - glm::vec2(width + 0.1f * size, 0.3f * size));
+        panel.labels.push_back({start, text, kChalk, size});
     }
+    return panel;
 }
 
 }  // namespace
@@ -74,19 +78,18 @@ Image cube_picture(int side, const DirectionColor& color) {
     return image;
 }
 
-Image with_equirect_axes(Image picture, int text_scale) {
-    write_axes(picture, text_scale, [&](const glm::vec3& axis) {
-        return lighting::equirect_point(axis) * glm::vec2(picture.width, picture.height);
-    });
-    return picture;
+Panel with_equirect_axes(Image picture, float type_size) {
+    const glm::vec2 size(picture.width, picture.height);
+    return with_axes(std::move(picture), type_size,
+                     [&](const glm::vec3& axis) { return lighting::equirect_point(axis) * size; });
 }
 
-Image with_cube_axes(Image picture, int text_scale) {
-    write_axes(picture, text_scale, [&](const glm::vec3& axis) {
+Panel with_cube_axes(Image picture, float type_size) {
+    const float side = static_cast<float>(picture.width / 4);
+    return with_axes(std::move(picture), type_size, [&](const glm::vec3& axis) {
         const lighting::CubePoint p = lighting::cube_point(axis);
-        return static_cast<float>(picture.width / 4) * (glm::vec2(place_in_cross(p.face)) + glm::vec2(p.u, p.v));
+        return side * (glm::vec2(place_in_cross(p.face)) + glm::vec2(p.u, p.v));
     });
-    return picture;
 }
 
 Image camera_picture(glm::ivec2 size, const glm::vec3& forward, float vertical_fov_deg, const DirectionColor& color) {

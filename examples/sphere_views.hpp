@@ -4,7 +4,7 @@
 
 #include <functional>
 
-#include "examples/draw.hpp"
+#include "examples/panel.hpp"
 
 namespace kreda::examples {
 
@@ -20,8 +20,8 @@ using DirectionColor = std::function<glm::vec3(const glm::vec3&)>;
 [[nodiscard]] Image cube_picture(int side, const DirectionColor& color);
 
 /// The same pictures with the axes' names written where they lie.
-[[nodiscard]] Image with_equirect_axes(Image picture, int text_scale);
-[[nodiscard]] Image with_cube_axes(Image picture, int text_scale);
+[[nodiscard]] Panel with_equirect_axes(Image picture, float type_size);
+[[nodiscard]] Panel with_cube_axes(Image picture, float type_size);
 
 /// What a camera in the middle sees that looks along `forward` (any length, not straight up or down).
 [[nodiscard]] Image camera_picture(glm::ivec2 size, const glm::vec3& forward, float vertical_fov_deg,

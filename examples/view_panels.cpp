@@ -29,17 +29,16 @@ Image shown(const scene::Scene& scene, const Image& radiance) {
     return develop(radiance, film);
 }
 
-std::vector<Image> view_panels(const scene::Scene& scene, const std::vector<NamedView>& views, int picture_height,
+std::vector<Panel> view_panels(const scene::Scene& scene, const std::vector<NamedView>& views,
                                scene::RenderBuffers buffers) {
     std::vector<const scene::View*> wanted;
     for (const NamedView& view : views) wanted.push_back(scene::find_view(view.view));
     render(scene, make_plan(scene, wanted), buffers);
-    std::vector<Image> panels;
+    std::vector<Panel> panels;
     for (std::size_t i = 0; i < views.size(); ++i) {
         Image& values = buffers.views[i];
         for (float& value : values.values) value *= views[i].gain;
-        panels.push_back(decoded(picture_of(*wanted[i], values, scene).encoded));
-        draw_caption(panels.back(), views[i].caption, text_scale(picture_height));
+        panels.emplace_back(decoded(picture_of(*wanted[i], values, scene).encoded), std::string(views[i].caption));
     }
     return panels;
 }

@@ -4,7 +4,7 @@
 #include <string_view>
 #include <vector>
 
-#include "examples/draw.hpp"
+#include "examples/panel.hpp"
 #include "scene/render/render.hpp"
 
 namespace kreda::examples {
@@ -19,9 +19,9 @@ struct NamedView {
     float gain = 1.0f;  ///< multiplies its values
 };
 
-/// Draw the scene once and take these views of it, which it must have. `picture_height` sets the size of the captions.
+/// Draw the scene once and take these views of it, which it must have.
 /// With the buffers of another picture of the same scene its environment is not baked again.
-[[nodiscard]] std::vector<Image> view_panels(const scene::Scene& scene, const std::vector<NamedView>& views,
-                                             int picture_height, scene::RenderBuffers buffers = {});
+[[nodiscard]] std::vector<Panel> view_panels(const scene::Scene& scene, const std::vector<NamedView>& views,
+                                             scene::RenderBuffers buffers = {});
 
 }  // namespace kreda::examples

@@ -57,9 +57,9 @@ def fill(template, values):
 
 
 def picture_file(path, out_examples):
-    """The file of a picture of the repository: what the example drew, larger, if it was run; else the golden image."""
-    if path.startswith("tests/golden/"):
-        drawn = out_examples / path.removeprefix("tests/golden/")
+    """The file of a picture of the repository: what the example drew, larger, if it was run; else the page's own."""
+    if re.match(r"docs/images/\d\d_", path):
+        drawn = out_examples / path.removeprefix("docs/images/")
         if drawn.exists():
             return drawn
     return ROOT / path
@@ -70,7 +70,7 @@ def copy_pictures(found, site, out_examples):
         folder = Path(page.source).parent
         for target in re.findall(r"\]\(([^):]+\.png)\)", page.markdown):
             path = str((ROOT / folder / target).resolve().relative_to(ROOT))
-            to = site / "pictures" / path.replace("tests/golden/", "").replace("docs/images/", "docs/")
+            to = site / "pictures" / path.replace("docs/images/", "docs/")
             to.parent.mkdir(parents=True, exist_ok=True)
             shutil.copyfile(picture_file(path, out_examples), to)
 
@@ -88,7 +88,7 @@ def index_body(lessons):
     for digit, family in pages.FAMILIES.items():
         cards = []
         for page in (p for p in lessons if p.number.startswith(digit)):
-            source = page.picture.replace("../tests/golden/", "pictures/")
+            source = page.picture.replace("images/", "pictures/docs/")
             cards.append(f'<li><a href="{page.file}"><img src="{source}" alt="" loading="lazy"><h3><b>{page.number}</b> '
                          f'{html.escape(page.title)}</h3></a><p>{html.escape(plain(page.goal))}</p></li>')
         if cards:

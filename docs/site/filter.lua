@@ -31,7 +31,7 @@ local function Link(link)
   if target == '' or target:match('^%a+:') then return nil end
   local path = from_root(target)
   if path:match('%.png$') then
-    link.target = 'pictures/' .. path:gsub('^tests/golden/', ''):gsub('^docs/images/', 'docs/')
+    link.target = 'pictures/' .. path:gsub('^docs/images/', 'docs/')
   elseif path == 'docs/references.bib' then
     link.target = 'references.html' .. (mark ~= '' and '#ref-' .. mark:sub(2) or '')
     link.classes:insert('cite')
@@ -54,7 +54,7 @@ end
 
 local function Image(image)
   if image.src:match('^%a+:') then return nil end
-  image.src = 'pictures/' .. from_root(image.src):gsub('^tests/golden/', ''):gsub('^docs/images/', 'docs/')
+  image.src = 'pictures/' .. from_root(image.src):gsub('^docs/images/', 'docs/')
   image.attributes.loading = 'lazy'
   return image
 end

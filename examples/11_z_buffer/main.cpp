@@ -76,11 +76,10 @@ void draw(const Options& options) {
     const glm::ivec2 size = panel_size(options.width, options.height, 2, 2);
     const raster::Viewport small{size.x, size.y};
     const raster::VisibilityBuffer small_buffer = draw_with_depth(small);
-    std::vector<Image> panels = {paint_in_order(small, 0, 1), paint_in_order(small, 1, 0),
-                                 color_of_visible(small_buffer), grey_image(size.x, size.y, small_buffer.depth)};
-    const char* const captions[4] = {"blue drawn last", "orange drawn last", "z-buffer", "its depths"};
-    for (int i = 0; i < 4; ++i) draw_caption(panels[i], captions[i], text_scale(options.height));
-    save(options, "orders", montage(options.width, options.height, 2, panels));
+    const std::vector<Image> images = {paint_in_order(small, 0, 1), paint_in_order(small, 1, 0),
+                                       color_of_visible(small_buffer), grey_image(size.x, size.y, small_buffer.depth)};
+    save_panels(options, "orders", 2,
+                with_captions(images, {"blue drawn last", "orange drawn last", "z-buffer", "its depths"}));
 }
 
 }  // namespace

@@ -8,8 +8,8 @@
 #include <glm/ext/matrix_transform.hpp>
 #include <glm/trigonometric.hpp>
 
-#include "examples/draw.hpp"
 #include "examples/example.hpp"
+#include "examples/number_table.hpp"
 #include "raster/camera.hpp"
 #include "raster/screen.hpp"
 
@@ -55,7 +55,7 @@ void draw_axis(Image& image, const glm::mat4& clip_from_space, glm::vec3 directi
 
 /// One space seen by an observer from outside: its axes, the cube, and the frustum (what the camera sees).
 /// Normalized device space is left-handed (z away from the eye): handedness -1.
-Image draw_space(glm::ivec2 size, const char* name, const glm::mat4& space_from_world, const raster::Camera& observer,
+Panel draw_space(glm::ivec2 size, const char* name, const glm::mat4& space_from_world, const raster::Camera& observer,
                  const glm::vec3* eye, float handedness) {
     const glm::mat4 mirror = glm::scale(glm::mat4(1.0f), {1.0f, 1.0f, handedness});
     const glm::mat4 clip_from_space = clip_from_world(observer, raster::aspect_of(size.x, size.y)) * mirror;
@@ -70,15 +70,7 @@ Image draw_space(glm::ivec2 size, const char* name, const glm::mat4& space_from_
     draw_box(image, clip_from_space * space_from_world * world_from_object(), 1.5f * line, kChalk);
     const glm::mat4 clip_from_object = clip_from_space * space_from_world * world_from_object();
     draw_disc(image, window_position(image, clip_from_object * glm::vec4(kCorner, 1.0f)), 3.0f * line, kYellow);
-    draw_caption(image, name, text_scale(2 * size.y + 4));
-    return image;
-}
-
-std::string row(const char* space, glm::vec4 p, int count) {
-    char text[80];
-    int length = std::snprintf(text, sizeof text, "%-8s", space);
-    for (int i = 0; i < count; ++i) length += std::snprintf(text + length, sizeof text - length, "%9.3f", double(p[i]));
-    return text;
+    return {image, name};
 }
 
 /// The corner's coordinates in every space, printed and as a picture.
@@ -89,20 +81,22 @@ void draw_table(const Options& options) {
     const glm::vec4 clip = clip_from_view(kCamera, 16.0f / 9.0f) * view;
     const raster::ScreenVertex screen = raster::to_screen(clip, viewport);
     const glm::vec4 window(float(screen.x) / 256.0f, float(screen.y) / 256.0f, screen.z, screen.inv_w);
-    const std::array<std::string, 7> lines = {"               x        y        z        w",
-                                              row("object", glm::vec4(kCorner, 1.0f), 4),
-                                              row("world", world, 4),
-                                              row("view", view, 4),
-                                              row("clip", clip, 4),
-                                              row("clip/w", clip / clip.w, 3),
-                                              row("window", window, 3)};
-    const int scale = std::max(options.width / 290, 1);
-    Image image = make_board(options.width, options.height);
-    for (int i = 0; i < 7; ++i) {
-        std::printf("%s\n", lines[i].c_str());
-        draw_text(image, 8 * scale, (i + 1) * options.height / 9, lines[i], i == 0 ? kYellow : kChalk, scale);
+    const std::array<NumberRow, 6> rows = {number_row("object", glm::vec4(kCorner, 1.0f), 4),
+                                           number_row("world", world, 4),
+                                           number_row("view", view, 4),
+                                           number_row("clip", clip, 4),
+                                           number_row("clip/w", clip / clip.w, 3),
+                                           number_row("window", window, 3)};
+    Panel table = empty_panel({options.width, options.height});
+    const float line = float(options.height) / 9.0f, size = 1.2f * caption_size(options.height);
+    add_row(table, {"", "$x$", "$y$", "$z$", "$w$"}, 1.6f * line, size, kYellow);
+    std::printf("               x        y        z        w\n");
+    for (std::size_t i = 0; i < rows.size(); ++i) {
+        const NumberRow& r = rows[i];
+        std::printf("%-8s%9s%9s%9s%9s\n", r[0].c_str(), r[1].c_str(), r[2].c_str(), r[3].c_str(), r[4].c_str());
+        add_row(table, r, (2.6f + float(i)) * line, size, kChalk);
     }
-    save(options, "table", image);
+    save_panel(options, "table", table);
 }
 
 void draw(const Options& options) {
@@ -120,12 +114,11 @@ void draw(const Options& options) {
     draw_box(window, clip * world_from_object(), 0.02f * float(size.y), kChalk);
     draw_disc(window, window_position(window, clip * world_from_object() * glm::vec4(kCorner, 1.0f)),
               0.024f * float(size.y), kYellow);
-    draw_caption(window, "window", text_scale(options.height));
-    save(options, "spaces",
-         montage(options.width, options.height, 2,
-                 {draw_space(size, "world", glm::mat4(1.0f), outside, &kCamera.position, 1.0f),
-                  draw_space(size, "view", view, beside, &origin, 1.0f),
-                  draw_space(size, "clip / w", clip, close, nullptr, -1.0f), window}));
+    save_panels(options, "spaces", 2,
+                {draw_space(size, "world", glm::mat4(1.0f), outside, &kCamera.position, 1.0f),
+                 draw_space(size, "view", view, beside, &origin, 1.0f),
+                 draw_space(size, "clip / $w$", clip, close, nullptr, -1.0f),
+                 {window, "window"}});
     draw_table(options);
 }
 

@@ -41,22 +41,19 @@ Image draw_floor(glm::ivec2 size, int detail, AttributeInterpolation interpolati
 }
 
 void draw(const Options& options) {
-    const int scale = text_scale(options.height);
     const glm::ivec2 half = panel_size(options.width, options.height, 2, 1);
-    Image affine = draw_floor(half, 1, AttributeInterpolation::affine);
-    Image perspective = draw_floor(half, 1, AttributeInterpolation::perspective);
-    draw_caption(affine, "affine", scale);
-    draw_caption(perspective, "perspective", scale);
-    save(options, "compare", montage(options.width, options.height, 2, {affine, perspective}));
+    const Image affine = draw_floor(half, 1, AttributeInterpolation::affine);
+    const Image perspective = draw_floor(half, 1, AttributeInterpolation::perspective);
+    save_panels(options, "compare", 2, with_captions({affine, perspective}, {"affine", "perspective"}));
 
     // Smaller triangles hide the error of affine interpolation: so did the first game consoles.
     const glm::ivec2 quarter = panel_size(options.width, options.height, 2, 2);
-    std::vector<Image> panels;
+    std::vector<Panel> panels;
     for (const int detail : {1, 2, 4, 16}) {
-        panels.push_back(draw_floor(quarter, detail, AttributeInterpolation::affine));
-        draw_caption(panels.back(), std::to_string(2 * detail * detail) + " triangles", scale);
+        panels.emplace_back(draw_floor(quarter, detail, AttributeInterpolation::affine),
+                            std::to_string(2 * detail * detail) + " triangles");
     }
-    save(options, "affine_subdivided", montage(options.width, options.height, 2, panels));
+    save_panels(options, "affine_subdivided", 2, panels);
 }
 
 }  // namespace

@@ -122,12 +122,11 @@ Image draw_guard_band(glm::ivec2 size) {
 
 void draw(const Options& options) {
     const glm::ivec2 quarter = panel_size(options.width, options.height, 2, 2);
-    std::vector<Image> panels = {draw_from_outside(quarter), draw_from_camera(quarter, true), draw_guard_band(quarter),
-                                 draw_from_camera(quarter, false)};
-    const char* const captions[4] = {"cut at the near plane", "the camera's view", "guard band",
-                                     "not cut: upside down"};
-    for (int i = 0; i < 4; ++i) draw_caption(panels[i], captions[i], text_scale(options.height));
-    save(options, "clipping", montage(options.width, options.height, 2, panels));
+    const std::vector<Image> images = {draw_from_outside(quarter), draw_from_camera(quarter, true),
+                                       draw_guard_band(quarter), draw_from_camera(quarter, false)};
+    save_panels(
+        options, "clipping", 2,
+        with_captions(images, {"cut at the near plane", "the camera's view", "guard band", "not cut: upside down"}));
 }
 
 }  // namespace

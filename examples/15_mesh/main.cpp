@@ -82,12 +82,12 @@ void draw(const Options& options) {
     const glm::mat4 gem_in_world = glm::scale(glm::mat4(1.0f), glm::vec3(0.3f));
     const glm::mat4 teapot_in_world =
         glm::translate(glm::mat4(1.0f), {0.0f, -0.5f, 0.0f}) * glm::scale(glm::mat4(1.0f), glm::vec3(0.95f));
-    std::vector<Image> panels = draw_mesh(gem, gem_in_world, size);
+    std::vector<Image> images = draw_mesh(gem, gem_in_world, size);
     const std::vector<Image> more = draw_mesh(teapot, teapot_in_world, size);
-    panels.insert(panels.end(), more.begin(), more.end());
-    const char* const captions[3] = {"triangles", "flat normals", "smooth normals"};
-    for (int i = 0; i < 6; ++i) draw_caption(panels[i], captions[i % 3], text_scale(options.height));
-    save(options, "normals", montage(options.width, options.height, 3, panels));
+    images.insert(images.end(), more.begin(), more.end());
+    save_panels(options, "normals", 3,
+                with_captions(images, {"triangles", "flat normals", "smooth normals", "triangles", "flat normals",
+                                       "smooth normals"}));
     save(options, "wireframe", draw_wireframe(frame_of(teapot, teapot_in_world, {options.width, options.height})));
 }
 

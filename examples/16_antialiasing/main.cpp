@@ -79,20 +79,18 @@ Image draw_close(const Image& image, const raster::Mesh& star, int samples, int 
 void draw(const Options& options) {
     const raster::Mesh star = make_star();
     const glm::ivec2 size = panel_size(options.width, options.height, 3, 1);
-    std::vector<Image> stars, close;
+    std::vector<Panel> stars, close;
     for (const int samples : {1, 2, 4}) {
         const Image image = render(make_scene(star, samples));
         const std::string caption = std::to_string(samples * samples) + (samples == 1 ? " sample" : " samples");
         Image panel = make_board(size.x, size.y);
         const Image large = enlarge(image, size.x / kPixels);
         paste(panel, large, (size.x - large.width) / 2, (size.y - large.height) / 2);
-        stars.push_back(panel);
-        close.push_back(draw_close(image, star, samples, size.y / 9, size));
-        draw_caption(stars.back(), caption, text_scale(options.height));
-        draw_caption(close.back(), caption, text_scale(options.height));
+        stars.emplace_back(panel, caption);
+        close.emplace_back(draw_close(image, star, samples, size.y / 9, size), caption);
     }
-    save(options, "star", montage(options.width, options.height, 3, stars));
-    save(options, "samples", montage(options.width, options.height, 3, close));
+    save_panels(options, "star", 3, stars);
+    save_panels(options, "samples", 3, close);
 }
 
 }  // namespace

@@ -59,14 +59,14 @@ scene::Scene make_ground(glm::ivec2 size, const Image& picture, float tiles, flo
     return scene;
 }
 
-Image draw_far(glm::ivec2 size, TextureFilter filter, int samples, const char* caption, int height) {
+Panel draw_far(glm::ivec2 size, TextureFilter filter, int samples, const char* caption) {
     scene::Scene scene = make_ground(size, board_texture(), kTiles, kExtent, filter);
     scene.image.samples = samples;
-    return captioned(scene, caption, height);
+    return captioned(scene, caption);
 }
 
 /// The level of detail at every pixel, each whole level a colour.
-Image draw_levels(glm::ivec2 size, int height) {
+Panel draw_levels(glm::ivec2 size) {
     const scene::Scene scene = make_ground(size, board_texture(), kTiles, kExtent, TextureFilter::trilinear);
     scene::RenderBuffers buffers;
     render(scene, make_plan(scene, {scene::find_view("level")}), buffers);
@@ -80,12 +80,11 @@ Image draw_levels(glm::ivec2 size, int height) {
             image.set_rgb(x, y, glm::mix(colors[whole], colors[whole + 1], level - static_cast<float>(whole)));
         }
     }
-    draw_caption(image, "level of detail", text_scale(height));
-    return image;
+    return {image, "level of detail"};
 }
 
 /// The pyramid: every level with its texels as large as those of level 0, 1, 2, ... are.
-Image draw_pyramid(glm::ivec2 size, int height) {
+Panel draw_pyramid(glm::ivec2 size) {
     const raster::Texture texture = raster::make_texture(board_texture());
     Image board = make_board(size.x, size.y);
     int x = size.x / 20;
@@ -95,30 +94,29 @@ Image draw_pyramid(glm::ivec2 size, int height) {
         paste(board, large, x, size.y / 10);
         x += large.width + size.x / 40;
     }
-    draw_caption(board, "64, 32, 16 ... 1", text_scale(height));
-    return board;
+    return {board, "64, 32, 16 … 1"};
 }
 
 void draw(const Options& options) {
     const int height = options.height;
     const glm::ivec2 quarter = panel_size(options.width, height, 2, 2);
-    const Image nearest = draw_far(quarter, TextureFilter::nearest, 1, "nearest", height);
-    const Image bilinear = draw_far(quarter, TextureFilter::bilinear, 1, "bilinear", height);
-    const Image trilinear = draw_far(quarter, TextureFilter::trilinear, 1, "trilinear: mip maps", height);
-    const Image truth = draw_far(quarter, TextureFilter::nearest, 8, "64 samples a pixel", height);
-    save(options, "filters", montage(options.width, height, 2, {nearest, bilinear, trilinear, truth}));
+    const Panel nearest = draw_far(quarter, TextureFilter::nearest, 1, "nearest");
+    const Panel bilinear = draw_far(quarter, TextureFilter::bilinear, 1, "bilinear");
+    const Panel trilinear = draw_far(quarter, TextureFilter::trilinear, 1, "trilinear: mip maps");
+    const Panel truth = draw_far(quarter, TextureFilter::nearest, 8, "64 samples a pixel");
+    save_panels(options, "filters", 2, {nearest, bilinear, trilinear, truth});
 
     const glm::ivec2 half = panel_size(options.width, height, 2, 1);
-    save(options, "levels", montage(options.width, height, 2, {draw_levels(half, height), draw_pyramid(half, height)}));
+    save_panels(options, "levels", 2, {draw_levels(half), draw_pyramid(half)});
 
-    std::vector<Image> panels;
+    std::vector<Panel> panels;
     for (const TextureFilter filter : {TextureFilter::nearest, TextureFilter::bilinear}) {
         scene::Scene close = make_ground(half, small_texture(), 1.0f, 1.0f, filter);
         close.camera.position = {-0.5f, 2.0f, 1.4f};
         close.camera.target = {0.0f, -0.1f, 0.05f};
-        panels.push_back(captioned(close, filter == TextureFilter::nearest ? "nearest" : "bilinear", height));
+        panels.push_back(captioned(close, filter == TextureFilter::nearest ? "nearest" : "bilinear"));
     }
-    save(options, "magnified", montage(options.width, height, 2, panels));
+    save_panels(options, "magnified", 2, panels);
 }
 
 }  // namespace

@@ -37,11 +37,10 @@ void draw(const Options& options) {
     spot.direction = {0.5f, -1.5f, -0.6f};
     spot.inner_cone_deg = 18.0f;
     spot.outer_cone_deg = 32.0f;
-    const std::vector<Image> panels = {captioned(make_scene(size, sun), "directional", options.height),
-                                       captioned(make_scene(size, lamp), "point", options.height),
-                                       captioned(make_scene(size, fading_lamp), "point, 1/d^2", options.height),
-                                       captioned(make_scene(size, spot), "spot", options.height)};
-    save(options, "lights", montage(options.width, options.height, 2, panels));
+    const std::vector<Panel> panels = {
+        captioned(make_scene(size, sun), "directional"), captioned(make_scene(size, lamp), "point"),
+        captioned(make_scene(size, fading_lamp), "point, $1/d^2$"), captioned(make_scene(size, spot), "spot")};
+    save_panels(options, "lights", 2, panels);
 }
 
 }  // namespace

@@ -45,12 +45,12 @@ scene::Scene make_ball(glm::ivec2 size) {
 
 void draw(const Options& options) {
     const glm::ivec2 size = panel_size(options.width, options.height, 3, 2);
-    std::vector<Image> panels;
+    std::vector<Panel> panels;
     for (const int phi : {0, 30, 60, 80, 100}) {
-        panels.push_back(captioned(make_wall(size, phi), std::to_string(phi) + " degrees", options.height));
+        panels.push_back(captioned(make_wall(size, phi), std::to_string(phi) + "°"));
     }
-    panels.push_back(captioned(make_ball(size), "all angles", options.height));
-    save(options, "cosine", montage(options.width, options.height, 3, panels));
+    panels.push_back(captioned(make_ball(size), "all angles"));
+    save_panels(options, "cosine", 3, panels);
 }
 
 }  // namespace

@@ -41,12 +41,12 @@ scene::Scene make_scene(glm::ivec2 size, const lighting::Material& material) {
 void draw(const Options& options) {
     using M = lighting::PhongMaterial;
     const glm::ivec2 size = panel_size(options.width, options.height, 3, 2);
-    const std::vector<Image> panels = {captioned(make_scene(size, only(&M::ambient)), "ambient", options.height),
-                                       captioned(make_scene(size, only(&M::diffuse)), "diffuse", options.height),
-                                       captioned(make_scene(size, only(&M::specular)), "specular", options.height),
-                                       captioned(make_scene(size, only(&M::emission)), "emission", options.height),
-                                       captioned(make_scene(size, full_material()), "the sum", options.height)};
-    save(options, "terms", montage(options.width, options.height, 3, panels));
+    const std::vector<Panel> panels = {captioned(make_scene(size, only(&M::ambient)), "ambient"),
+                                       captioned(make_scene(size, only(&M::diffuse)), "diffuse"),
+                                       captioned(make_scene(size, only(&M::specular)), "specular"),
+                                       captioned(make_scene(size, only(&M::emission)), "emission"),
+                                       captioned(make_scene(size, full_material()), "the sum")};
+    save_panels(options, "terms", 3, panels);
 }
 
 }  // namespace

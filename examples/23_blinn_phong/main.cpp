@@ -30,14 +30,12 @@ void draw(const Options& options) {
     const scene::Scene phong = make_scene(size, ReflectionModel::phong, kShininess);
     const scene::Scene same = make_scene(size, ReflectionModel::blinn_phong, kShininess);
     const scene::Scene wider = make_scene(size, ReflectionModel::blinn_phong, matched);
-    std::vector<Image> panels = {captioned(phong, "Phong, h = 24", options.height),
-                                 captioned(same, "Blinn, h = 24", options.height),
-                                 captioned(wider, "Blinn, h = 96", options.height), make_board(size.x, size.y)};
+    std::vector<Panel> panels = {captioned(phong, "Phong, $h$ = 24"), captioned(same, "Blinn, $h$ = 24"),
+                                 captioned(wider, "Blinn, $h$ = 96"), empty_panel(size)};
     for (const scene::Scene& blinn : {same, wider}) {
-        panels.push_back(difference_picture(render(phong), render(blinn), kGain));
-        draw_caption(panels.back(), "difference x 4", text_scale(options.height));
+        panels.emplace_back(difference_picture(render(phong), render(blinn), kGain), "difference × 4");
     }
-    save(options, "blinn_phong", montage(options.width, options.height, 3, panels));
+    save_panels(options, "blinn_phong", 3, panels);
 }
 
 }  // namespace

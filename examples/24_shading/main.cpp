@@ -23,15 +23,14 @@ scene::Scene make_scene(glm::ivec2 size, scene::ShadingFrequency frequency, floa
 void draw(const Options& options) {
     using scene::ShadingFrequency;
     const glm::ivec2 size = panel_size(options.width, options.height, 3, 2);
-    std::vector<Image> panels;
+    std::vector<Panel> panels;
     for (const float h : {10.0f, 80.0f}) {
-        const std::string exponent = ", h = " + std::to_string(static_cast<int>(h));
-        panels.push_back(captioned(make_scene(size, ShadingFrequency::flat, h), "flat" + exponent, options.height));
-        panels.push_back(
-            captioned(make_scene(size, ShadingFrequency::gouraud, h), "Gouraud" + exponent, options.height));
-        panels.push_back(captioned(make_scene(size, ShadingFrequency::phong, h), "Phong" + exponent, options.height));
+        const std::string exponent = ", $h$ = " + std::to_string(static_cast<int>(h));
+        panels.push_back(captioned(make_scene(size, ShadingFrequency::flat, h), "flat" + exponent));
+        panels.push_back(captioned(make_scene(size, ShadingFrequency::gouraud, h), "Gouraud" + exponent));
+        panels.push_back(captioned(make_scene(size, ShadingFrequency::phong, h), "Phong" + exponent));
     }
-    save(options, "shading", montage(options.width, options.height, 3, panels));
+    save_panels(options, "shading", 3, panels);
 }
 
 }  // namespace

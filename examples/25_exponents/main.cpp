@@ -24,12 +24,11 @@ scene::Scene make_scene(glm::ivec2 size, float shininess) {
 
 void draw(const Options& options) {
     const glm::ivec2 size = panel_size(options.width, options.height, 3, 2);
-    std::vector<Image> panels;
+    std::vector<Panel> panels;
     for (const int h : {1, 4, 16, 64, 256, 1024}) {
-        panels.push_back(
-            captioned(make_scene(size, static_cast<float>(h)), "h = " + std::to_string(h), options.height));
+        panels.push_back(captioned(make_scene(size, static_cast<float>(h)), "$h$ = " + std::to_string(h)));
     }
-    save(options, "exponents", montage(options.width, options.height, 3, panels));
+    save_panels(options, "exponents", 3, panels);
 }
 
 }  // namespace

@@ -1,8 +1,8 @@
 // 30_fog: linear, exponential and squared exponential fog on a row of balls, and the three curves.
 // Page docs/30_fog.md | After 22_phong_terms | New: Fog, fog_linear(), fog_exp(), fog_exp2(), mix_fog()
 // Break at: fog_exp | Look at: z_p, optical_depth | Try: density 0.3, start 8
-#include "examples/example.hpp"
 #include "examples/lit_scene.hpp"
+#include "examples/plots.hpp"
 
 using namespace kreda;
 using namespace kreda::examples;
@@ -41,38 +41,26 @@ scene::Scene make_scene(glm::ivec2 size, lighting::FogMode mode) {
 }
 
 /// f over the distance 0 .. 14.
-Image draw_curves(glm::ivec2 size, int picture_height) {
-    Image board = make_board(size.x, size.y);
-    const auto place = [&](float z, float f) {
-        return glm::vec2((0.06f + 0.9f * z / 14.0f) * float(size.x), (0.88f - 0.78f * f) * float(size.y));
-    };
-    draw_line(board, place(0.0f, 0.0f), place(14.0f, 0.0f), 1.5f, kDust);
-    draw_line(board, place(0.0f, 0.0f), place(0.0f, 1.0f), 1.5f, kDust);
-    const auto draw_curve = [&](const glm::vec3& color, auto f) {
-        for (int i = 0; i < 140; ++i) {
-            const float z = 0.1f * static_cast<float>(i), next = z + 0.1f;
-            draw_line(board, place(z, f(z)), place(next, f(next)), 2.5f, color);
-        }
-    };
-    draw_curve(kYellow, [](float z) { return lighting::fog_linear(z, kStart, kEnd); });
-    draw_curve(kBlue, [](float z) { return lighting::fog_exp(z, kDensity); });
-    draw_curve(kOrange, [](float z) { return lighting::fog_exp2(z, kDensity); });
-    const int scale = text_scale(picture_height);
-    const int x = size.x * 6 / 10;
-    draw_text(board, x, size.y / 12, "f: linear", kYellow, scale);
-    draw_text(board, x, size.y / 12 + 10 * scale, "   exp", kBlue, scale);
-    draw_text(board, x, size.y / 12 + 20 * scale, "   exp2", kOrange, scale);
-    return board;
+Plot curves() {
+    constexpr AxisRange kDistance{0.0, 14.0};
+    const auto linear = [](double z) { return lighting::fog_linear(static_cast<float>(z), kStart, kEnd); };
+    const auto exp = [](double z) { return lighting::fog_exp(static_cast<float>(z), kDensity); };
+    const auto exp2 = [](double z) { return lighting::fog_exp2(static_cast<float>(z), kDensity); };
+    Plot plot = empty_plot("distance $z$", "$f$");
+    plot.series = {curve("linear", kDistance, linear), curve("exp", kDistance, exp), curve("exp2", kDistance, exp2)};
+    plot.x_range = kDistance;
+    plot.y_range = {0.0, 1.0};
+    plot.key = "inside top right";
+    return plot;
 }
 
 void draw(const Options& options) {
     using lighting::FogMode;
     const glm::ivec2 size = panel_size(options.width, options.height, 2, 2);
-    const std::vector<Image> panels = {captioned(make_scene(size, FogMode::linear), "linear", options.height),
-                                       captioned(make_scene(size, FogMode::exp), "exp", options.height),
-                                       captioned(make_scene(size, FogMode::exp2), "exp2", options.height),
-                                       draw_curves(size, options.height)};
-    save(options, "fog", montage(options.width, options.height, 2, panels));
+    const std::vector<Panel> panels = {
+        captioned(make_scene(size, FogMode::linear), "linear"), captioned(make_scene(size, FogMode::exp), "exp"),
+        captioned(make_scene(size, FogMode::exp2), "exp2"), plot_panel(options, "curves", "", curves(), size)};
+    save_panels(options, "fog", 2, panels);
 }
 
 }  // namespace

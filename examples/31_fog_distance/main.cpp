@@ -42,13 +42,13 @@ scene::Scene make_scene(glm::ivec2 size, lighting::FogDistance distance, double 
 void draw(const Options& options) {
     using lighting::FogDistance;
     const glm::ivec2 size = panel_size(options.width, options.height, 2, 2);
-    std::vector<Image> panels;
+    std::vector<Panel> panels;
     for (const FogDistance distance : {FogDistance::planar, FogDistance::radial}) {
         const std::string name = distance == FogDistance::planar ? "planar" : "radial";
-        panels.push_back(captioned(make_scene(size, distance, 0.0), name, options.height));
-        panels.push_back(captioned(make_scene(size, distance, 40.0), name + ", turned", options.height));
+        panels.push_back(captioned(make_scene(size, distance, 0.0), name));
+        panels.push_back(captioned(make_scene(size, distance, 40.0), name + ", turned"));
     }
-    save(options, "distance", montage(options.width, options.height, 2, panels));
+    save_panels(options, "distance", 2, panels);
 }
 
 }  // namespace

@@ -31,11 +31,10 @@ scene::Scene make_scene(glm::ivec2 size, int detail, lighting::FogFrequency freq
 void draw(const Options& options) {
     using lighting::FogFrequency;
     const glm::ivec2 size = panel_size(options.width, options.height, 3, 1);
-    const std::vector<Image> panels = {
-        captioned(make_scene(size, 2, FogFrequency::vertex), "vertex, 2 x 2", options.height),
-        captioned(make_scene(size, 24, FogFrequency::vertex), "vertex, 24 x 24", options.height),
-        captioned(make_scene(size, 2, FogFrequency::pixel), "pixel, 2 x 2", options.height)};
-    save(options, "frequency", montage(options.width, options.height, 3, panels));
+    const std::vector<Panel> panels = {captioned(make_scene(size, 2, FogFrequency::vertex), "vertex, 2 × 2"),
+                                       captioned(make_scene(size, 24, FogFrequency::vertex), "vertex, 24 × 24"),
+                                       captioned(make_scene(size, 2, FogFrequency::pixel), "pixel, 2 × 2")};
+    save_panels(options, "frequency", 3, panels);
 }
 
 }  // namespace

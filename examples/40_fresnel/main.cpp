@@ -6,8 +6,8 @@
 
 #include <glm/trigonometric.hpp>
 
-#include "examples/chart.hpp"
-#include "examples/example.hpp"
+#include "examples/plot_legend.hpp"
+#include "examples/plots.hpp"
 #include "tools/measure/fresnel_methods.hpp"
 
 using namespace kreda;
@@ -26,78 +26,68 @@ float cosine(double degrees) {
     return static_cast<float>(std::cos(glm::radians(degrees)));
 }
 
-Chart degrees_chart(glm::ivec2 size, int picture_height, const std::string& title, const Axis& y) {
-    return make_chart(size, picture_height, title, {0.0, 90.0, 30.0}, y);
+constexpr AxisRange kQuarterTurn{0.0, 90.0};
+
+Plot degrees_plot() {
+    Plot plot = empty_plot("angle [degrees]", "$F$");
+    plot.x_range = kQuarterTurn;
+    plot.y_range = {0.0, 1.0};
+    plot.key = "off";
+    return plot;
 }
 
 /// A dielectric: the two polarizations, their mean, and Schlick's approximation of it.
-Image dielectric_panel(glm::ivec2 size, int picture_height, const std::string& title, float n) {
-    Chart chart = degrees_chart(size, picture_height, title, {0.0, 1.0, 0.5});
-    plot(chart, kDust, [n](double a) { return fresnel_dielectric_polarized(cosine(a), n).s; });
-    plot(chart, kDust, [n](double a) { return fresnel_dielectric_polarized(cosine(a), n).p; });
-    plot(chart, kChalk, [n](double a) { return fresnel_dielectric(cosine(a), n); });
-    plot(
-        chart, kYellow, [n](double a) { return fresnel_schlick_from_index(cosine(a), n); }, true);
-    return chart.image;
+Plot dielectric_plot(float n) {
+    Plot plot = degrees_plot();
+    plot.series = {curve("$s$", kQuarterTurn, [n](double a) { return fresnel_dielectric_polarized(cosine(a), n).s; }),
+                   curve("$p$", kQuarterTurn, [n](double a) { return fresnel_dielectric_polarized(cosine(a), n).p; }),
+                   curve("mean", kQuarterTurn, [n](double a) { return fresnel_dielectric(cosine(a), n); }),
+                   curve("Schlick", kQuarterTurn, [n](double a) { return fresnel_schlick_from_index(cosine(a), n); })};
+    return plot;
 }
 
 /// A metal: exact and rescaled Schlick for red, green and blue.
-Image metal_panel(glm::ivec2 size, int picture_height, const std::string& name) {
-    Chart chart = degrees_chart(size, picture_height, name, {0.0, 1.0, 0.5});
+Plot metal_plot(const std::string& name) {
+    Plot plot = degrees_plot();
     const ThreeChannelIndex index = published_index(name);
-    const glm::vec3 colors[] = {kRed, kGreen, kBlue};
+    const char* const channels[] = {"red", "green", "blue"};
     for (int i = 0; i < 3; ++i) {
         const float n = index.n[i], k = index.k[i];
-        plot(chart, colors[i], [=](double a) { return fresnel_conductor(cosine(a), n, k); });
-        plot(
-            chart, kYellow, [=](double a) { return fresnel_rescaled_schlick(cosine(a), n, k); }, true);
+        plot.series.push_back(
+            curve(channels[i], kQuarterTurn, [=](double a) { return fresnel_conductor(cosine(a), n, k); }));
     }
-    return chart.image;
-}
-
-Image legend_panel(glm::ivec2 size, int picture_height) {
-    Chart chart;
-    chart.image = make_board(size.x, size.y);
-    chart.scale = text_scale(picture_height);
-    chart.lower_left = {0.0f, static_cast<float>(size.y)};
-    chart.upper_right = {static_cast<float>(size.x), 0.0f};
-    const glm::vec2 start(0.06f, 0.1f);
-    legend(chart, "F over degrees", kChalk, start);
-    legend(chart, "", kChalk, start);
-    legend(chart, "s and p", kDust, start);
-    legend(chart, "their mean", kChalk, start);
-    legend(chart, "red", kRed, start);
-    legend(chart, "green", kGreen, start);
-    legend(chart, "blue", kBlue, start);
-    legend(chart, "- - Schlick", kYellow, start);
-    return chart.image;
+    for (int i = 0; i < 3; ++i) {
+        const float n = index.n[i], k = index.k[i];
+        plot.series.push_back(curve("Schlick, " + std::string(channels[i]), kQuarterTurn,
+                                    [=](double a) { return fresnel_rescaled_schlick(cosine(a), n, k); }));
+        plot.series.back().style = 4;
+    }
+    return plot;
 }
 
 /// All methods on platinum's red, where they differ most: 60 to 90 degrees.
-Image methods_chart(glm::ivec2 size, int picture_height) {
+Plot methods_plot() {
+    constexpr AxisRange kGrazing{60.0, 90.0};
     const float n = kPlatinumRed.x, k = kPlatinumRed.y;
     const float f0 = f0_from_index(n, k);
     const float b = f82_coefficient(f0, fresnel_conductor(1.0f / 7.0f, n, k));
     const SchlickCorrection fit = fit_correction(n, k), printed = fit_correction_as_printed(n, k);
     const FresnelTable table = fresnel_table(glm::vec3(n), glm::vec3(k), kSmallTable);
-    Chart chart =
-        make_chart(size, picture_height, "platinum, red: F over degrees", {60.0, 90.0, 10.0}, {0.4, 1.0, 0.2});
-    plot(chart, kRed,
-         [=](double a) { return fresnel_corrected_schlick_as_printed(cosine(a), f0, printed.a, printed.lambda); });
-    plot(chart, kYellow, [=](double a) { return fresnel_schlick(cosine(a), f0); });
-    plot(chart, kBlue, [&](double a) { return fresnel_lookup(cosine(a), table.r.data(), kSmallTable); });
-    plot(chart, kGreen, [=](double a) { return fresnel_corrected_schlick(cosine(a), f0, fit.a, fit.lambda); });
-    plot(chart, kOrange, [=](double a) { return fresnel_f82(cosine(a), f0, b); });
-    plot(
-        chart, kChalk, [=](double a) { return fresnel_conductor(cosine(a), n, k); }, true);
-    const glm::vec2 start(0.05f, 0.05f);
-    legend(chart, "- - exact", kChalk, start);
-    legend(chart, "Schlick, NVIDIA 5", kYellow, start);
-    legend(chart, "corrected", kGreen, start);
-    legend(chart, "corrected, as printed", kRed, start);
-    legend(chart, "F82", kOrange, start);
-    legend(chart, "table of " + std::to_string(kSmallTable), kBlue, start);
-    return chart.image;
+    const auto add = [&](const std::string& name, auto F) {
+        return curve(name, kGrazing, [&](double a) { return F(cosine(a)); });
+    };
+    Plot plot = empty_plot("angle [degrees]", "$F$ of platinum, red");
+    plot.series = {add("exact", [=](float c) { return fresnel_conductor(c, n, k); }),
+                   add("Schlick, NVIDIA 5", [=](float c) { return fresnel_schlick(c, f0); }),
+                   add("corrected", [=](float c) { return fresnel_corrected_schlick(c, f0, fit.a, fit.lambda); }),
+                   add("corrected, as printed",
+                       [=](float c) { return fresnel_corrected_schlick_as_printed(c, f0, printed.a, printed.lambda); }),
+                   add("F82", [=](float c) { return fresnel_f82(c, f0, b); }),
+                   add("table of " + std::to_string(kSmallTable),
+                       [&](float c) { return fresnel_lookup(c, table.r.data(), kSmallTable); })};
+    plot.x_range = kGrazing;
+    plot.y_range = {0.4, 1.0};
+    return plot;
 }
 
 /// The published comparison: a million angles, mean relative error of three channels.
@@ -120,15 +110,16 @@ void print_errors() {
 
 void draw(const Options& options) {
     const glm::ivec2 size = panel_size(options.width, options.height, 3, 2);
-    const int height = options.height;
-    const std::vector<Image> panels = {dielectric_panel(size, height, "water 1.33", 1.33f),
-                                       dielectric_panel(size, height, "As2S3 2.04", 2.04f),
-                                       dielectric_panel(size, height, "germanium 4.01", 4.01f),
-                                       metal_panel(size, height, "platinum"),
-                                       metal_panel(size, height, "gold"),
-                                       legend_panel(size, height)};
-    save(options, "curves", montage(options.width, options.height, 3, panels));
-    save(options, "methods", methods_chart({options.width, options.height}, height));
+    const auto panel = [&](const char* file, const char* title, const Plot& plot) {
+        return plot_panel(options, file, title, plot, size);
+    };
+    save_panels(options, "curves", 3,
+                {panel("water", "water, $n$ = 1.33", dielectric_plot(1.33f)),
+                 panel("as2s3", "As₂S₃, $n$ = 2.04", dielectric_plot(2.04f)),
+                 panel("germanium", "germanium, $n$ = 4.01", dielectric_plot(4.01f)),
+                 panel("platinum", "platinum", metal_plot("platinum")), panel("gold", "gold", metal_plot("gold")),
+                 plot_legend(size, options.height, {"$s$;  red", "$p$;  green", "mean of both;  blue", "Schlick"})});
+    save_plot(options, "methods", "", methods_plot());
     print_errors();
 }
 

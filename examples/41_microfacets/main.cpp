@@ -7,9 +7,8 @@
 #include <glm/geometric.hpp>
 #include <glm/trigonometric.hpp>
 
-#include "examples/chart.hpp"
-#include "examples/example.hpp"
 #include "examples/paint.hpp"
+#include "examples/plots.hpp"
 #include "lighting/cook_torrance.hpp"
 #include "raster/shapes.hpp"
 
@@ -50,19 +49,19 @@ Terms terms_at(const SurfacePoint& point, const CookTorranceSetup& setup) {
 
 /// A row of four pictures: the root of D as a share of its peak, G, F, and their product under a light of strength 3
 /// pi.
-void add_row(glm::ivec2 size, float roughness, const Options& options, std::vector<Image>& panels) {
+void add_row(glm::ivec2 size, float roughness, std::vector<Panel>& panels) {
     const raster::Mesh knot = raster::make_torus_knot(384);
     const CookTorranceSetup setup = blue_metal(roughness);
     const float peak = ggx_distribution(1.0f, 0.0f, setup.surface.alpha);
     const auto add = [&](const std::string& name, const std::function<glm::vec3(const Terms&)>& color) {
-        panels.push_back(paint(knot, kCamera, size, 3, kBoard,
-                               [&](const SurfacePoint& point) { return color(terms_at(point, setup)); }));
-        draw_caption(panels.back(), name, text_scale(options.height));
+        panels.emplace_back(paint(knot, kCamera, size, 3, kBoard,
+                                  [&](const SurfacePoint& point) { return color(terms_at(point, setup)); }),
+                            name);
     };
-    add("D of " + std::to_string(roughness).substr(0, 4),
+    add("$D$, rough " + std::to_string(roughness).substr(0, 3),
         [peak](const Terms& t) { return glm::vec3(std::sqrt(t.D / peak)); });
-    add("G", [](const Terms& t) { return glm::vec3(t.G); });
-    add("F", [](const Terms& t) { return t.F; });
+    add("$G$", [](const Terms& t) { return glm::vec3(t.G); });
+    add("$F$", [](const Terms& t) { return t.F; });
     add("all three", [](const Terms& t) { return 3.0f * raster::kPi * t.product; });
 }
 
@@ -73,49 +72,56 @@ MicrofacetAngles facet_at(double degrees) {
 }
 
 /// D over the angle between n and h for one alpha: the four distributions.
-Image distribution_chart(glm::ivec2 size, int picture_height) {
+Plot distribution_plot() {
     constexpr float kAlpha = 0.3f;
-    Chart chart = make_chart(size, picture_height, "D, alpha 0.3", {0.0, 60.0, 20.0}, {0.0, 4.0, 1.0});
-    const auto add = [&](const char* name, Distribution distribution, const glm::vec3& color) {
-        plot(chart, color, [=](double a) { return distribution_term(distribution, facet_at(a), kAlpha); });
-        legend(chart, name, color, {0.4f, 0.08f});
+    Plot plot = empty_plot("angle between $n$ and $h$ [degrees]", "$D$ [1/sr]");
+    plot.x_range = {0.0, 60.0};
+    plot.y_range = {0.0, 4.0};
+    plot.key = "inside right top";
+    const auto add = [&](const char* name, Distribution distribution) {
+        plot.series.push_back(curve(name, *plot.x_range, [=](double degrees) {
+            return distribution_term(distribution, facet_at(degrees), kAlpha);
+        }));
     };
-    add("GGX", Distribution::ggx, kYellow);
-    add("Beckmann", Distribution::beckmann, kBlue);
-    add("Blinn-Phong", Distribution::blinn_phong, kGreen);
-    add("Gaussian", Distribution::gaussian, kRed);
-    return chart.image;
+    add("GGX", Distribution::ggx);
+    add("Beckmann", Distribution::beckmann);
+    add("Blinn-Phong", Distribution::blinn_phong);
+    add("Gaussian", Distribution::gaussian);
+    return plot;
 }
 
 /// G over the angle of light and view, both the same, on either side of n.
-Image geometry_chart(glm::ivec2 size, int picture_height) {
+Plot geometry_plot() {
     constexpr float kRough = 0.5f;
-    Chart chart = make_chart(size, picture_height, "G, roughness 0.5", {0.0, 90.0, 30.0}, {0.0, 1.0, 0.25});
-    const auto add = [&](const char* name, Geometry geometry, const glm::vec3& color) {
-        plot(chart, color, [=](double degrees) {
+    Plot plot = empty_plot("angle of light and view [degrees]", "$G$");
+    plot.x_range = {0.0, 90.0};
+    plot.y_range = {0.0, 1.0};
+    plot.key = "inside left bottom Left reverse";
+    const auto add = [&](const char* name, Geometry geometry) {
+        plot.series.push_back(curve(name, *plot.x_range, [=](double degrees) {
             const float c = static_cast<float>(std::cos(glm::radians(degrees)));
             const MicrofacetAngles mirrored{c, c, 1.0f, c, 0.0f};
             return 4.0f * c * c * visibility_term(geometry, mirrored, alpha_from_roughness(kRough), kRough);
-        });
-        legend(chart, name, color, {0.05f, 0.5f});
+        }));
     };
-    add("grooves", Geometry::cook_torrance, kBlue);
-    add("correlated", Geometry::smith_correlated, kYellow);
-    add("Smith", Geometry::smith, kOrange);
-    add("Schlick-GGX", Geometry::schlick_ggx, kRed);
-    add("implicit", Geometry::implicit, kDust);
-    return chart.image;
+    add("grooves", Geometry::cook_torrance);
+    add("correlated", Geometry::smith_correlated);
+    add("Smith", Geometry::smith);
+    add("Schlick-GGX", Geometry::schlick_ggx);
+    add("implicit", Geometry::implicit);
+    return plot;
 }
 
 void draw(const Options& options) {
     const glm::ivec2 size = panel_size(options.width, options.height, 4, 2);
-    std::vector<Image> panels;
-    for (const float roughness : kRoughness) add_row(size, roughness, options, panels);
-    save(options, "terms", montage(options.width, options.height, 4, panels));
+    std::vector<Panel> panels;
+    for (const float roughness : kRoughness) add_row(size, roughness, panels);
+    save_panels(options, "terms", 4, panels);
 
     const glm::ivec2 half = panel_size(options.width, options.height, 2, 1);
-    const std::vector<Image> charts = {distribution_chart(half, options.height), geometry_chart(half, options.height)};
-    save(options, "curves", montage(options.width, options.height, 2, charts));
+    save_panels(options, "curves", 2,
+                {plot_panel(options, "distributions", "$α$ = 0.3", distribution_plot(), half),
+                 plot_panel(options, "geometry", "roughness 0.5", geometry_plot(), half)});
 }
 
 }  // namespace

@@ -66,12 +66,11 @@ void draw(const Options& options) {
     render_and_save(options, "balls", balls({options.width, options.height}));
 
     const glm::ivec2 row = panel_size(options.width, options.height, 1, 3);
-    const int height = options.height;
-    const std::vector<Image> rows = {
-        captioned(furnace(row, Geometry::schlick_ggx, EnergyCompensation::none), "Schlick-GGX", height),
-        captioned(furnace(row, Geometry::smith_correlated, EnergyCompensation::none), "Smith", height),
-        captioned(furnace(row, Geometry::smith_correlated, EnergyCompensation::kulla_conty), "+ Kulla-Conty", height)};
-    save(options, "furnace", montage(options.width, options.height, 1, rows));
+    const std::vector<Panel> rows = {
+        captioned(furnace(row, Geometry::schlick_ggx, EnergyCompensation::none), "Schlick-GGX"),
+        captioned(furnace(row, Geometry::smith_correlated, EnergyCompensation::none), "Smith"),
+        captioned(furnace(row, Geometry::smith_correlated, EnergyCompensation::kulla_conty), "+ Kulla-Conty")};
+    save_panels(options, "furnace", 1, rows);
 }
 
 }  // namespace

@@ -8,9 +8,8 @@
 
 #include <glm/common.hpp>
 
-#include "examples/chart.hpp"
-#include "examples/example.hpp"
 #include "examples/lit_scene.hpp"
+#include "examples/plots.hpp"
 #include "lighting/spectrum.hpp"
 #include "scene/render/render.hpp"
 
@@ -46,36 +45,42 @@ scene::Scene metals(glm::ivec2 size, SpectrumUse spectrum) {
 }
 
 /// F0 of each metal as a flat colour: the left half from the whole spectrum, the right half from three wavelengths.
-Image swatches(glm::ivec2 size, int picture_height) {
-    Image image = make_board(size.x, size.y);
+Panel swatches(glm::ivec2 size, int picture_height) {
+    Panel panel(make_board(size.x, size.y));
     const int scale = text_scale(picture_height), step = size.x / 5, top = 14 * scale;
     for (int i = 0; i < 5; ++i) {
         const lighting::MeasuredMaterial& metal = *lighting::find_measured(kMetals[static_cast<std::size_t>(i)]);
         const int left = i * step + step / 10, half = step * 2 / 5, height = size.y - top - 4 * scale;
-        fill_rectangle(image, left, top, half, height, lighting::spectral_fresnel(metal, 1.0f));
+        fill_rectangle(panel.image, left, top, half, height, lighting::spectral_fresnel(metal, 1.0f));
         const lighting::ThreeChannelIndex three = lighting::three_channel_index(metal);
-        fill_rectangle(image, left + half, top, half, height, lighting::f0_from_index(three.n, three.k));
-        draw_text(image, left, 4 * scale, metal.name, kChalk, scale);
+        fill_rectangle(panel.image, left + half, top, half, height, lighting::f0_from_index(three.n, three.k));
+        const glm::vec2 start(left, 11 * scale);
+        panel.labels.push_back({start, std::string(metal.name), kChalk, caption_size(picture_height)});
     }
-    return image;
+    return panel;
 }
 
-/// Reflectance over the wavelength, and where the three wavelengths lie.
-Image spectra_chart(glm::ivec2 size, int picture_height) {
-    Chart chart = make_chart(size, picture_height, "F at 0 degrees, over nm", {400.0, 700.0, 100.0}, {0.2, 1.0, 0.2});
-    const glm::vec3 colors[] = {kYellow, kChalk, kOrange, kBlue, kDust};
-    for (const double wavelength : lighting::kChannelWavelengths) {
-        draw_line(chart.image, chart.place(wavelength, 0.2), chart.place(wavelength, 1.0), 2.0f, kSlate);
-    }
+/// Reflectance over the wavelength; dots where the three wavelengths lie.
+Plot spectra_plot() {
+    Plot plot = empty_plot("wavelength [nm]", "$F$ at 0 degrees");
+    plot.x_range = {400.0, 700.0};
+    plot.y_range = {0.2, 1.0};
+    plot.key = "inside right bottom";
     for (std::size_t i = 0; i < kMetals.size(); ++i) {
         const lighting::MeasuredMaterial& metal = *lighting::find_measured(kMetals[i]);
-        plot(chart, colors[i], [&](double wavelength) {
+        const auto reflectance = [&](double wavelength) {
             const lighting::IndexSample index = lighting::index_at(metal, wavelength);
             return lighting::f0_from_index(static_cast<float>(index.n), static_cast<float>(index.k));
-        });
-        legend(chart, kMetals[i], colors[i], {0.68f, 0.5f});
+        };
+        plot.series.push_back(curve(kMetals[i], *plot.x_range, reflectance));
+        Series three{"", {}, static_cast<int>(i) + 1, {}, false};
+        for (const double wavelength : lighting::kChannelWavelengths) {
+            three.points.push_back({wavelength, reflectance(wavelength)});
+        }
+        plot.series.push_back(three);
+        plot.series[plot.series.size() - 2].style = three.style;
     }
-    return chart.image;
+    return plot;
 }
 
 double error_percent(const glm::vec3& color, const glm::vec3& exact) {
@@ -112,10 +117,8 @@ void draw(const Options& options) {
     for (Image* image : {&full, &three}) {
         for (float& value : image->values) value *= kExposure;
     }
-    draw_caption(full, "spectrum", text_scale(options.height));
-    draw_caption(three, "three", text_scale(options.height));
-    save(options, "metals", montage(options.width, options.height, 1, {swatches(row, options.height), full, three}));
-    save(options, "spectra", spectra_chart({options.width, options.height}, options.height));
+    save_panels(options, "metals", 1, {swatches(row, options.height), {full, "spectrum"}, {three, "three"}});
+    save_plot(options, "spectra", "", spectra_plot());
     print_colors();
 }
 

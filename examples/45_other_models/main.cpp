@@ -63,14 +63,14 @@ void draw(const Options& options) {
         {"Beckmann", facets(Distribution::beckmann)},
         {"Gaussian", facets(Distribution::gaussian)},
         {"Blinn-Phong", facets(Distribution::blinn_phong)}};
-    std::vector<Image> panels;
+    std::vector<Panel> panels;
     for (const auto& [name, material] : models) {
         scene::Scene scene = ball(size, material);
         const bool physical = material.model == ReflectionModel::cook_torrance;
         for (lighting::Light& light : scene.lights) light.intensity *= physical ? raster::kPi : 1.0f;
-        panels.push_back(captioned(scene, name, options.height));
+        panels.push_back(captioned(scene, name));
     }
-    save(options, "models", montage(options.width, options.height, 4, panels));
+    save_panels(options, "models", 4, panels);
 }
 
 }  // namespace

@@ -40,11 +40,6 @@ Image shown(const Image& radiance, float exposure = 1.3f) {
     return develop(radiance, {exposure, raster::ToneMap::reinhard_extended, 6.0f, raster::Transfer::linear});
 }
 
-Image with_caption(Image image, const char* text, const Options& options) {
-    draw_caption(image, text, text_scale(options.height));
-    return image;
-}
-
 /// A ball that mirrors the sky it stands in.
 Image mirror_ball(glm::ivec2 size) {
     scene::Scene scene = empty_scene(size);
@@ -59,22 +54,22 @@ Image mirror_ball(glm::ivec2 size) {
 
 void draw_layouts(const Options& options) {
     const glm::ivec2 size = panel_size(options.width, options.height, 3, 2);
-    const int side = std::min(size.x / 4, size.y / 3), scale = text_scale(options.height);
+    const int side = std::min(size.x / 4, size.y / 3);
+    const float type = caption_size(options.height);
     const auto as_color = [](const vec3& d) { return 0.5f + 0.5f * d; };
-    save(options, "layouts",
-         montage(options.width, options.height, 3,
-                 {with_equirect_axes(shown(equirect_picture(size.x, lighting::sunset_sky)), scale),
-                  with_cube_axes(shown(cube_picture(side, lighting::sunset_sky)), scale), mirror_ball(size),
-                  equirect_picture(size.x, as_color), cube_picture(side, as_color),
-                  camera_picture(size, {0.0f, 0.0f, -1.0f}, 90.0f, as_color)}));
+    save_panels(options, "layouts", 3,
+                {with_equirect_axes(shown(equirect_picture(size.x, lighting::sunset_sky)), type),
+                 with_cube_axes(shown(cube_picture(side, lighting::sunset_sky)), type), mirror_ball(size),
+                 equirect_picture(size.x, as_color), cube_picture(side, as_color),
+                 camera_picture(size, {0.0f, 0.0f, -1.0f}, 90.0f, as_color)});
 }
 
 void draw_seams(const Options& options) {
     const glm::ivec2 size = panel_size(options.width, options.height, 2, 2);
     const lighting::CubeMap cube = lighting::cube_from_sky(lighting::Sky::studio, kCoarse);
     const lighting::EquirectMap map = lighting::make_equirect_map(equirect_picture(4 * kCoarse, lighting::studio_sky));
-    const auto view = [&](const char* caption, const vec3& forward, const DirectionColor& color) {
-        return with_caption(shown(camera_picture(size, forward, 60.0f, color), 0.15f), caption, options);
+    const auto view = [&](const char* caption, const vec3& forward, const DirectionColor& color) -> Panel {
+        return {shown(camera_picture(size, forward, 60.0f, color), 0.15f), caption};
     };
     const auto draw_cube = [&](const char* caption, const lighting::CubeMap& from) {  // towards a corner, three faces
         return view(caption, {-1.0f, 1.0f, 1.0f}, [&](const vec3& d) { return sample_level(from, 0, d); });
@@ -82,10 +77,9 @@ void draw_seams(const Options& options) {
     const auto draw_image = [&](const char* caption, const lighting::EquirectMap& from) {  // the pole, the meridian
         return view(caption, {-1.0f, 1.5f, 0.3f}, [&](const vec3& d) { return sample_equirect(from, d); });
     };
-    save(options, "seams",
-         montage(options.width, options.height, 2,
-                 {draw_cube("each face alone", with_faces_alone(cube)), draw_cube("with its neighbours", cube),
-                  draw_image("not wrapped", without_wrapping(map)), draw_image("wrapped", map)}));
+    save_panels(options, "seams", 2,
+                {draw_cube("each face alone", with_faces_alone(cube)), draw_cube("with its neighbours", cube),
+                 draw_image("not wrapped", without_wrapping(map)), draw_image("wrapped", map)});
 }
 
 /// Radiance as a display shows it, but red what is no number or endless, and blue what is negative.
@@ -119,12 +113,11 @@ void draw_repairs(const Options& options) {
     std::printf("texels repaired: %d not a number, %d infinite, %d negative\n", static_cast<int>(repairs.nan),
                 static_cast<int>(repairs.infinite), static_cast<int>(repairs.negative));
     const int factor = size.x / kColumns;
-    save(options, "repairs",
-         montage(options.width, options.height, 2,
-                 {with_caption(enlarge(marked(damaged), factor), "as it came", options),
-                  with_caption(enlarge(marked(image), factor), "repaired", options),
-                  with_caption(matt_white(factor * kColumns, damaged), "its light: none", options),
-                  with_caption(matt_white(factor * kColumns, image), "its light", options)}));
+    save_panels(options, "repairs", 2,
+                {{enlarge(marked(damaged), factor), "as it came"},
+                 {enlarge(marked(image), factor), "repaired"},
+                 {matt_white(factor * kColumns, damaged), "its light: none"},
+                 {matt_white(factor * kColumns, image), "its light"}});
 }
 
 }  // namespace

@@ -4,8 +4,7 @@
 #include <algorithm>
 #include <cstdio>
 
-#include "examples/chart.hpp"
-#include "examples/example.hpp"
+#include "examples/plots.hpp"
 #include "examples/sphere_views.hpp"
 #include "examples/stopwatch.hpp"
 #include "lighting/environment/environment_image.hpp"
@@ -58,42 +57,40 @@ void draw_maps(const Options& options, const CubeMap& radiance) {
     const int width = panel_size(options.width, options.height, 3, 2).x;
     const CubeMap exact = every_texel(kSize).make(radiance), sh = nine_coefficients(kSize).make(radiance);
     const CubeMap sum = irradiance_map(radiance, {IrradianceSum::hemisphere, kN1, kN2, kSize});
-    const auto panel = [&](Image image, const char* caption) {
-        draw_caption(image, caption, text_scale(options.height));
-        return image;
-    };
     constexpr float kInvPi = 1.0f / raster::kPi;
-    save(options, "irradiance",
-         montage(options.width, options.height, 3,
-                 {panel(shown(width, exact, kInvPi), "every texel"), panel(shown(width, sum, kInvPi), "16 x 4"),
-                  panel(shown(width, sh, kInvPi), "nine numbers"), panel(shown(width, radiance, 1.0f), "L"),
-                  panel(error_picture(width, sum, exact), "error"), panel(error_picture(width, sh, exact), "error")}));
+    save_panels(options, "irradiance", 3,
+                {{shown(width, exact, kInvPi), "every texel"},
+                 {shown(width, sum, kInvPi), "16 × 4"},
+                 {shown(width, sh, kInvPi), "nine numbers"},
+                 {shown(width, radiance, 1.0f), "$L$"},
+                 {error_picture(width, sum, exact), "error"},
+                 {error_picture(width, sh, exact), "error"}});
 }
 
 // --------------------------------------------------------------------------------------- error and time
 
 /// Error over samples; the numbers are printed, too.
-Image error_chart(const Options& options, const char* name, lighting::Sky sky) {
+Panel error_plot(const Options& options, const char* name, lighting::Sky sky) {
     const CubeMap radiance = lighting::cube_from_sky(sky, 64), exact = every_texel(kSize).make(radiance);
     const MapError sh = map_error(nine_coefficients(kSize).make(radiance), exact);
     std::printf("%-8s %6.2f %6.2f", name, 100.0 * sh.mean, 100.0 * sh.largest);
-    Chart chart = make_chart(panel_size(options.width, options.height, 2, 1), options.height, name,
-                             {10.0, 10000.0, 0.0, true}, {0.01, 100.0, 0.0, true});
-    plot(
-        chart, kGreen, [&](double) { return 100.0 * sh.mean; }, true);
+    Plot plot = empty_plot("samples", "mean error [%]", true, true);
+    plot.x_range = {10.0, 10000.0};
+    plot.y_range = {0.01, 100.0};
+    plot.key = "inside left bottom Left reverse";
     for (const IrradianceSum sum : {IrradianceSum::hemisphere, IrradianceSum::cosine}) {
-        std::vector<glm::dvec2> errors;
+        Series errors{sum == IrradianceSum::cosine ? "cosine" : "double sum", {}};
         for (const IrradianceWay& way : sampling_ways(sum, kSize)) {
-            errors.push_back({way.samples, 100.0 * map_error(way.make(radiance), exact).mean});
-            std::printf("%s%6.2f", way.samples == 16 ? "    " : " ", errors.back().y);
+            errors.points.push_back({way.samples, 100.0 * map_error(way.make(radiance), exact).mean});
+            std::printf("%s%6.2f", way.samples == 16 ? "    " : " ", errors.points.back().y);
         }
-        plot_points(chart, sum == IrradianceSum::cosine ? kBlue : kOrange, errors);
+        plot.series.push_back(errors);
     }
     std::printf("\n");
-    legend(chart, "double sum", kOrange, {0.03f, 0.72f});
-    legend(chart, "cosine", kBlue, {0.03f, 0.72f});
-    legend(chart, "SH9", kGreen, {0.03f, 0.72f});
-    return chart.image;
+    plot.series.push_back(curve(
+        "SH9", *plot.x_range, [&](double) { return 100.0 * sh.mean; }, true, 2));
+    return plot_panel(options, std::string("error_") + name, name, plot,
+                      panel_size(options.width, options.height, 2, 1));
 }
 
 /// Error over the time for a map of 1536 normals. A picture of this machine.
@@ -106,16 +103,22 @@ void draw_times(const Options& options, const CubeMap& radiance) {
     for (const IrradianceWay& way : ways) works.push_back([&] { (void)way.make(radiance); });
     const std::vector<double> times = shortest_times(works, kRounds);
     const CubeMap exact = ways.back().make(radiance);
-    Chart chart = make_chart({options.width, options.height}, options.height, "studio: error in percent over ms",
-                             {0.1, 1000.0, 0.0, true}, {0.01, 100.0, 0.0, true});
+    Plot plot = empty_plot("time [ms]", "mean error [%]", true, true);
+    plot.series = {{"double sum", {}}, {"cosine", {}}, {"others", {}}};
+    for (Series& series : plot.series) series.joined = false;
+    plot.x_range = {0.1, 1000.0};
+    plot.y_range = {0.01, 100.0};
+    plot.key = "inside right top";
     std::printf("\nstudio, 1536 normals: ms, error in percent\n");
     for (std::size_t i = 0; i < ways.size(); ++i) {
         const double error = 100.0 * map_error(ways[i].make(radiance), exact).mean;
         std::printf("%-6s %-12s %8.3f %8.3f\n", i < 5 ? "double" : (i < 10 ? "cosine" : ""), ways[i].name.c_str(),
                     times[i], error);
-        plot_point(chart, times[i], std::max(error, 0.01), ways[i].name, i < 5 ? kOrange : (i < 10 ? kBlue : kGreen));
+        Series& series = plot.series[i < 5 ? 0 : (i < 10 ? 1 : 2)];
+        series.points.push_back({times[i], std::max(error, 0.01)});
+        series.point_names.push_back(ways[i].name);
     }
-    save(options, "measured_time", chart.image);
+    save_plot(options, "measured_time", "studio, 1536 normals", plot);
 }
 
 void draw(const Options& options) {
@@ -124,9 +127,9 @@ void draw(const Options& options) {
     draw_maps(options, radiance);
     std::printf("\nerror in percent of the mean irradiance, with 16, 64, 256, 1024, 4096 samples\n");
     std::printf("%-8s %6s %6s    %-37s %s\n", "", "SH9", "most", "double sum", "cosine-weighted");
-    const Image gradient = error_chart(options, "gradient", lighting::Sky::gradient);
-    const Image sunset = error_chart(options, "sunset", lighting::Sky::sunset);
-    save(options, "error", montage(options.width, options.height, 2, {gradient, sunset}));
+    const Panel gradient = error_plot(options, "gradient", lighting::Sky::gradient);
+    const Panel sunset = error_plot(options, "sunset", lighting::Sky::sunset);
+    save_panels(options, "error", 2, {gradient, sunset});
     draw_times(options, radiance);
 }
 

@@ -5,9 +5,8 @@
 #include <cstdio>
 #include <string>
 
-#include "examples/chart.hpp"
-#include "examples/example.hpp"
 #include "examples/lit_scene.hpp"
+#include "examples/plots.hpp"
 #include "examples/sphere_views.hpp"
 #include "lighting/environment/environment_image.hpp"
 #include "lighting/importance.hpp"
@@ -46,10 +45,9 @@ Image shown(const Image& radiance, float exposure) {
     return develop(radiance, {exposure, raster::ToneMap::reinhard_extended, 6.0f, raster::Transfer::linear});
 }
 
-Image level_picture(const Options& options, int width, const CubeMap& map, int level, const std::string& caption) {
-    Image image = shown(equirect_picture(width, [&](const glm::vec3& d) { return sample_level(map, level, d); }), 1.0f);
-    draw_caption(image, caption, text_scale(options.height));
-    return image;
+Panel level_picture(int width, const CubeMap& map, int level, const std::string& caption) {
+    return {shown(equirect_picture(width, [&](const glm::vec3& d) { return sample_level(map, level, d); }), 1.0f),
+            caption};
 }
 
 /// A mirror ball for each level.
@@ -68,56 +66,59 @@ Image balls(glm::ivec2 size) {
     return shown(scene::render(scene), 1.0f);
 }
 
+/// Two rows of levels, a third one of balls.
 void draw_levels(const Options& options) {
     const glm::ivec2 size = panel_size(options.width, options.height, 4, 3);
+    const float type = caption_size(options.height);
     const CubeMap map = prefilter(lighting::cube_from_sky(lighting::Sky::studio, 128), {.samples = 512});
-    std::vector<Image> panels;
+    Panel whole(make_board(options.width, options.height, kSlate));
     for (int level = 0; level < lighting::kPrefilterLevels; ++level) {
-        char caption[16];
-        std::snprintf(caption, sizeof caption, "%.3g", std::sqrt(static_cast<double>(lighting::alpha_of_level(level))));
-        panels.push_back(level_picture(options, size.x, map, level, caption));
+        const Image picture = level_picture(size.x, map, level, "").image;
+        const glm::ivec2 corner =
+            panel_corner(options.width, options.height, 4, level, 12, {picture.width, picture.height});
+        paste(whole.image, picture, corner.x, corner.y);
+        char roughness[16];
+        std::snprintf(roughness, sizeof roughness, "%.3g",
+                      std::sqrt(static_cast<double>(lighting::alpha_of_level(level))));
+        const glm::vec2 lower_left(corner.x, corner.y + picture.height);
+        whole.labels.push_back({lower_left + type * glm::vec2(0.3f, -0.3f), roughness, kChalk, type});
     }
-    for (int i = 0; i < 4; ++i) panels.push_back(make_board(1, 1));
-    Image picture = montage(options.width, options.height, 4, panels);
-    const Image row = balls({options.width, size.y});
-    paste(picture, row, 0, options.height - size.y);
-    save(options, "levels", picture);
+    paste(whole.image, balls({options.width, size.y}), 0, options.height - size.y);
+    save_panel(options, "levels", whole);
 }
 
 void draw_fireflies(const Options& options) {
     const int width = panel_size(options.width, options.height, 3, 2).x;
     const CubeMap sky = lighting::cube_from_sky(lighting::Sky::sunset, kSize), plain = without_mips(sky);
     const auto panel = [&](const CubeMap& radiance, int samples, const char* caption) {
-        return level_picture(options, width, sampled_level(radiance, kAlpha, samples, 32), 0, caption);
+        return level_picture(width, sampled_level(radiance, kAlpha, samples, 32), 0, caption);
     };
-    save(options, "fireflies",
-         montage(options.width, options.height, 3,
-                 {level_picture(options, width, sky, 0, "L"), panel(plain, kFew, "32 plain"),
-                  panel(plain, kMany, "512 plain"),
-                  level_picture(options, width, exact_level(sky, kAlpha, 16), 0, "every texel"),
-                  panel(sky, kFew, "32 from mips"), panel(sky, kMany, "512 from mips")}));
+    save_panels(options, "fireflies", 3,
+                {level_picture(width, sky, 0, "$L$"), panel(plain, kFew, "32 plain"), panel(plain, kMany, "512 plain"),
+                 level_picture(width, exact_level(sky, kAlpha, 16), 0, "every texel"), panel(sky, kFew, "32 from mips"),
+                 panel(sky, kMany, "512 from mips")});
 }
 
 /// Error over the number of samples.
-Image error_chart(const Options& options, const char* name, float alpha) {
+Panel error_plot(const Options& options, const char* file, const char* name, float alpha) {
     const CubeMap sky = lighting::cube_from_sky(lighting::Sky::sunset, kSize), plain = without_mips(sky);
     const CubeMap exact = exact_level(sky, alpha, 8);
-    Chart chart = make_chart(panel_size(options.width, options.height, 2, 1), options.height, name,
-                             {10.0, 10000.0, 0.0, true}, {0.1, 100.0, 0.0, true});
+    Plot plot = empty_plot("samples", "mean error [%]", true, true);
+    plot.x_range = {10.0, 10000.0};
+    plot.y_range = {0.1, 100.0};
+    plot.key = "inside right top";
     for (const bool mips : {false, true}) {
-        std::vector<glm::dvec2> errors;
+        Series errors{mips ? "from mips" : "plain", {}};
         std::printf("%-18s %-8s", name, mips ? "mips" : "plain");
         for (const int samples : {16, 64, 256, 1024, 4096}) {
             const CubeMap level = sampled_level(mips ? sky : plain, alpha, samples, 8);
-            errors.push_back({samples, 100.0 * map_error(level, exact).mean});
-            std::printf(" %8.2f", errors.back().y);
+            errors.points.push_back({samples, 100.0 * map_error(level, exact).mean});
+            std::printf(" %8.2f", errors.points.back().y);
         }
         std::printf("\n");
-        plot_points(chart, mips ? kBlue : kOrange, errors);
+        plot.series.push_back(errors);
     }
-    legend(chart, "plain", kOrange, {0.03f, 0.8f});
-    legend(chart, "from mips", kBlue, {0.03f, 0.8f});
-    return chart.image;
+    return plot_panel(options, file, name, plot, panel_size(options.width, options.height, 2, 1));
 }
 
 void draw(const Options& options) {
@@ -125,9 +126,8 @@ void draw(const Options& options) {
     draw_levels(options);
     draw_fireflies(options);
     std::printf("\nmean error in percent, sunset; samples   16       64      256     1024     4096\n");
-    const Image quarter = error_chart(options, "roughness 0.5", 0.25f);
-    save(options, "error",
-         montage(options.width, options.height, 2, {quarter, error_chart(options, "roughness 1", 1.0f)}));
+    const Panel quarter = error_plot(options, "error_0.5", "roughness 0.5", 0.25f);
+    save_panels(options, "error", 2, {quarter, error_plot(options, "error_1", "roughness 1", 1.0f)});
 }
 
 }  // namespace

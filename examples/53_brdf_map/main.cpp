@@ -70,17 +70,14 @@ void draw(const Options& options) {
 
     const glm::ivec2 panel = panel_size(options.width, options.height, 3, 2);
     const int cell = std::min(panel.x, panel.y) / kCells, side = cell * kCells;
-    std::vector<Image> panels = {picture(side, from_map),
-                                 enlarge(exact, cell),
-                                 picture(side, from_fit),
-                                 picture(side, from_schlick),
-                                 enlarge(error_picture("map", picture(kCells, from_map), exact, kMapGain), cell),
-                                 enlarge(error_picture("fit", picture(kCells, from_fit), exact, kFitGain), cell)};
-    const char* captions[] = {"map", "quadrature", "fit", "Schlick-GGX", "map x 100", "fit x 10"};
-    for (std::size_t i = 0; i < panels.size(); ++i) {
-        draw_caption(panels[i], captions[i], text_scale(options.height));
-    }
-    save(options, "maps", montage(options.width, options.height, 3, panels));
+    const std::vector<Image> images = {picture(side, from_map),
+                                       enlarge(exact, cell),
+                                       picture(side, from_fit),
+                                       picture(side, from_schlick),
+                                       enlarge(error_picture("map", picture(kCells, from_map), exact, kMapGain), cell),
+                                       enlarge(error_picture("fit", picture(kCells, from_fit), exact, kFitGain), cell)};
+    save_panels(options, "maps", 3,
+                with_captions(images, {"map", "quadrature", "fit", "Schlick-GGX", "error × 100", "error × 10"}));
 }
 
 }  // namespace

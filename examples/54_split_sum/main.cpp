@@ -5,9 +5,8 @@
 #include <array>
 #include <cstdio>
 
-#include "examples/chart.hpp"
-#include "examples/example.hpp"
 #include "examples/lit_scene.hpp"
+#include "examples/plots.hpp"
 #include "examples/view_panels.hpp"
 #include "tools/measure/split_sum_error.hpp"
 
@@ -43,45 +42,43 @@ scene::Scene balls(glm::ivec2 size) {
 }
 
 /// The errors of the golden balls over n.v, a curve for each roughness; as a table on stdout. Gold: F0 hides nothing.
-Image error_chart(glm::ivec2 size, int picture_height, const SpecularPicture& split, const SpecularPicture& exact) {
+Plot error_plot(const SpecularPicture& split, const SpecularPicture& exact) {
     constexpr float kStep = 0.1f;
-    Chart chart = make_chart(size, picture_height, "error in % over n.v", {0.0, 1.0, 0.5}, {0.0, 100.0, 50.0});
-    const glm::vec3 colors[] = {kChalk, kBlue, kGreen, kYellow, kRed};
+    Plot plot = empty_plot("$n·v$", "error [%]");
+    plot.x_range = {0.0, 1.0};
+    plot.y_range = {0.0, 100.0};
+    plot.key = "inside right top";
     std::printf("roughness  error %%   by n.v: 0..0.1 to 0.9..1\n");
     for (std::size_t r = 0; r < kRoughness.size(); ++r) {
         std::printf("%9g %8.2f  ", kRoughness[r], error_percent(split, exact, kRoughness[r], 0.1f, 0.95f));
-        glm::vec2 last(0.0f);
+        char name[16];
+        std::snprintf(name, sizeof name, "%g", kRoughness[r]);
+        Series series{name, {}};
         for (int bin = 0; bin < 10; ++bin) {
             const float from = kStep * static_cast<float>(bin);
             const double error = error_percent(split, exact, kRoughness[r], from, from + kStep);
             std::printf(" %6.2f", error);
-            const glm::vec2 point = chart.place(from + 0.5f * kStep, std::min(error, 100.0));
-            if (bin > 0) draw_line(chart.image, last, point, 1.2f, colors[r]);
-            last = point;
+            series.points.push_back({from + 0.5f * kStep, error});
         }
         std::printf("\n");
-        char name[16];
-        std::snprintf(name, sizeof name, "%g", kRoughness[r]);
-        legend(chart, name, colors[r], {0.75f, 0.04f});
+        plot.series.push_back(series);
     }
-    return chart.image;
+    return plot;
 }
 
 void draw_balls(const Options& options) {
     const glm::ivec2 size = panel_size(options.width, options.height, 2, 2);
-    const int scale = text_scale(options.height);
     const scene::Scene scene = balls(size);
     scene::RenderBuffers buffers;
     const SpecularPicture exact = draw_specular(with_reference(scene, kSamples), buffers);
     const SpecularPicture split = draw_specular(scene, buffers);
-    Image left = shown(scene, split.film), right = shown(scene, exact.film);
-    Image difference = difference_picture(left, right, kGain);
-    draw_caption(left, "split sum", scale);
-    draw_caption(right, "integral", scale);
-    draw_caption(difference, "difference x 4", scale);
-    save(options, "balls",
-         montage(options.width, options.height, 2,
-                 {left, right, difference, error_chart(size, options.height, split, exact)}));
+    const Image left = shown(scene, split.film), right = shown(scene, exact.film);
+    const Image difference = difference_picture(left, right, kGain);
+    save_panels(options, "balls", 2,
+                {{left, "split sum"},
+                 {right, "integral"},
+                 {difference, "difference × 4"},
+                 plot_panel(options, "error", "by roughness", error_plot(split, exact), size)});
 }
 
 void draw_floor(const Options& options) {
@@ -89,10 +86,8 @@ void draw_floor(const Options& options) {
     scene::Scene scene = read_scene(options, KREDA_EXAMPLE_FOLDER "/floor.toml");
     scene.image.width = size.x;
     scene.image.height = size.y;
-    Image left = shown(scene, render(scene)), right = shown(scene, render(with_reference(scene, kFloorSamples)));
-    draw_caption(left, "split sum", text_scale(options.height));
-    draw_caption(right, "integral", text_scale(options.height));
-    save(options, "floor", montage(options.width, options.height, 2, {left, right}));
+    const Image left = shown(scene, render(scene)), right = shown(scene, render(with_reference(scene, kFloorSamples)));
+    save_panels(options, "floor", 2, with_captions({left, right}, {"split sum", "integral"}));
 }
 
 void draw(const Options& options) {

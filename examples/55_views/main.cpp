@@ -23,18 +23,18 @@ void draw(const Options& options) {
     const glm::ivec2 size = panel_size(options.width, options.height, 3, 3);
     small.image.width = size.x;
     small.image.height = size.y;
-    const std::vector<Image> panels = view_panels(small,
-                                                  {{"irradiance", "irradiance / pi", raster::kInvPi},
+    const std::vector<Panel> panels = view_panels(small,
+                                                  {{"irradiance", "irradiance / π", raster::kInvPi},
                                                    {"fresnel", "fresnel"},
                                                    {"environment_diffuse", "diffuse"},
                                                    {"prefilter", "prefilter"},
                                                    {"brdf", "brdf"},
                                                    {"environment_specular", "specular"},
                                                    {"albedo", "albedo"},
-                                                   {"f0", "F0"},
+                                                   {"f0", "$F_0$"},
                                                    {"ambient", "ambient"}},
-                                                  options.height, std::move(buffers));
-    save(options, "sheet", montage(options.width, options.height, 3, panels));
+                                                  std::move(buffers));
+    save_panels(options, "sheet", 3, panels);
 }
 
 }  // namespace

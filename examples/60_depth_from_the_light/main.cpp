@@ -34,11 +34,10 @@ void draw(const Options& options) {
 
     scene::RenderBuffers buffers;
     render(scene, make_plan(scene, {scene::find_view("shadow")}), buffers);
-    std::vector<Image> panels = {scene::render(unshadowed), map_panel(buffers, scene),
-                                 grey_image(size.x, size.y, buffers.views[0].values), buffers.film};
-    const char* const captions[] = {"lit, no shadows", "distances the sun sees", "shadow factor", "with shadows"};
-    for (std::size_t i = 0; i < panels.size(); ++i) draw_caption(panels[i], captions[i], text_scale(options.height));
-    save(options, "steps", montage(options.width, options.height, 2, panels));
+    const std::vector<Image> images = {scene::render(unshadowed), map_panel(buffers, scene),
+                                       grey_image(size.x, size.y, buffers.views[0].values), buffers.film};
+    save_panels(options, "steps", 2,
+                with_captions(images, {"lit, no shadows", "distances the sun sees", "shadow factor", "with shadows"}));
 }
 
 }  // namespace

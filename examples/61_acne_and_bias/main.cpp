@@ -21,14 +21,13 @@ scene::Scene make_scene(glm::ivec2 size, ShadowBias bias, float constant_bias) {
 void draw(const Options& options) {
     const glm::ivec2 size = panel_size(options.width, options.height, 2, 2);
     const auto panel = [&](ShadowBias bias, float constant_bias, const char* caption) {
-        return captioned(make_scene(size, bias, constant_bias), caption, options.height);
+        return captioned(make_scene(size, bias, constant_bias), caption);
     };
-    save(options, "bias",
-         montage(
-             options.width, options.height, 2,
-             {panel(ShadowBias::none, 0.0f, "none: acne"), panel(ShadowBias::constant, 0.3f, "too much: peter-panning"),
-              panel(ShadowBias::slope, 0.0005f, "as much as the slope asks"),
-              panel(ShadowBias::normal_offset, 0.0005f, "along the normal")}));
+    save_panels(
+        options, "bias", 2,
+        {panel(ShadowBias::none, 0.0f, "none: acne"), panel(ShadowBias::constant, 0.3f, "too much: peter-panning"),
+         panel(ShadowBias::slope, 0.0005f, "as much as the slope asks"),
+         panel(ShadowBias::normal_offset, 0.0005f, "along the normal")});
 }
 
 }  // namespace

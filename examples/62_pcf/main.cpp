@@ -21,13 +21,12 @@ scene::Scene make_scene(glm::ivec2 size, int texels, ShadowFilter filter, int ra
 void draw(const Options& options) {
     const glm::ivec2 size = panel_size(options.width, options.height, 2, 2);
     const auto panel = [&](int texels, ShadowFilter filter, int radius, const char* caption) {
-        return captioned(make_scene(size, texels, filter, radius), caption, options.height);
+        return captioned(make_scene(size, texels, filter, radius), caption);
     };
-    save(options, "pcf",
-         montage(options.width, options.height, 2,
-                 {panel(96, ShadowFilter::none, 0, "96 texels: aliasing"),
-                  panel(96, ShadowFilter::pcf, 1, "mean of 3 x 3"), panel(96, ShadowFilter::pcf, 3, "mean of 7 x 7"),
-                  panel(1024, ShadowFilter::pcf, 1, "1024 texels, 3 x 3")}));
+    save_panels(
+        options, "pcf", 2,
+        {panel(96, ShadowFilter::none, 0, "96 texels: aliasing"), panel(96, ShadowFilter::pcf, 1, "mean of 3 × 3"),
+         panel(96, ShadowFilter::pcf, 3, "mean of 7 × 7"), panel(1024, ShadowFilter::pcf, 1, "1024 texels, 3 × 3")});
 }
 
 }  // namespace

@@ -31,13 +31,12 @@ Image penumbra_panel(glm::ivec2 size, float light_size) {
 
 void draw(const Options& options) {
     const glm::ivec2 size = panel_size(options.width, options.height, 2, 2);
-    Image penumbra = penumbra_panel(size, 0.2f);
-    draw_caption(penumbra, "width of the penumbra", text_scale(options.height));
-    save(options, "soft",
-         montage(options.width, options.height, 2,
-                 {captioned(make_scene(size, 0.0f), "no width", options.height),
-                  captioned(make_scene(size, 0.05f), "width 0.05", options.height),
-                  captioned(make_scene(size, 0.2f), "width 0.2", options.height), penumbra}));
+    const Image penumbra = penumbra_panel(size, 0.2f);
+    save_panels(options, "soft", 2,
+                {captioned(make_scene(size, 0.0f), "no width"),
+                 captioned(make_scene(size, 0.05f), "width 0.05"),
+                 captioned(make_scene(size, 0.2f), "width 0.2"),
+                 {penumbra, "width of the penumbra"}});
 }
 
 }  // namespace

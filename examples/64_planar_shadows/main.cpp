@@ -99,12 +99,11 @@ void draw(const Options& options) {
             depth_plane(t.a, t.b, t.c, raster::edge_function(t.a.x, t.a.y, t.b.x, t.b.y, t.c.x, t.c.y));
         return depth_at(plane, depth_of_row(plane, y), x) < stage.visible.depth[i];
     };
-    std::vector<Image> panels = {darken(stage, true, false, on_table), darken(stage, false, false, on_table),
-                                 darken(stage, true, false, anywhere), darken(stage, true, false, nearer),
-                                 darken(stage, true, true, on_table)};
-    const char* const captions[5] = {"right", "not clipped", "off the table", "z-fighting", "darkened twice"};
-    for (int i = 0; i < 5; ++i) draw_caption(panels[i], captions[i], text_scale(options.height));
-    save(options, "mistakes", montage(options.width, options.height, 3, panels));
+    const std::vector<Image> images = {darken(stage, true, false, on_table), darken(stage, false, false, on_table),
+                                       darken(stage, true, false, anywhere), darken(stage, true, false, nearer),
+                                       darken(stage, true, true, on_table)};
+    save_panels(options, "mistakes", 3,
+                with_captions(images, {"right", "not clipped", "off the table", "z-fighting", "darkened twice"}));
 }
 
 }  // namespace

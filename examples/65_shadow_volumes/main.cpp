@@ -101,16 +101,14 @@ scene::Scene from_inside(glm::ivec2 size) {
 }
 
 void draw(const Options& options) {
-    const int scale = text_scale(options.height);
     const glm::ivec2 size = panel_size(options.width, options.height, 2, 2);
     const Stage stage = make_stage(table_scene(size));
     const Stage inside = make_stage(from_inside(size));
-    std::vector<Image> panels = {silhouette_picture(stage), counter_picture(stage, count(stage, false)),
-                                 counter_picture(inside, count(inside, true)),
-                                 counter_picture(inside, count(inside, false))};
-    const char* const captions[4] = {"silhouettes", "counted", "inside: before", "inside: behind"};
-    for (int i = 0; i < 4; ++i) draw_caption(panels[i], captions[i], scale);
-    save(options, "steps", montage(options.width, options.height, 2, panels));
+    const std::vector<Image> images = {silhouette_picture(stage), counter_picture(stage, count(stage, false)),
+                                       counter_picture(inside, count(inside, true)),
+                                       counter_picture(inside, count(inside, false))};
+    save_panels(options, "steps", 2,
+                with_captions(images, {"silhouettes", "counted", "inside: before", "inside: behind"}));
     const Stage whole = make_stage(table_scene({options.width, options.height}));
     save(options, "counter", counter_picture(whole, count(whole, false)));
     save(options, "shadow", whole.buffers.film);

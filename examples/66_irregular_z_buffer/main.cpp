@@ -97,19 +97,13 @@ Image close_up(glm::ivec2 size, shadows::ShadowMethod method, int map_size) {
 
 void draw(const Options& options) {
     const glm::ivec2 size = panel_size(options.width, options.height, 2, 1);
-    const int scale = text_scale(options.height);
     const int pixel = std::max(1, size.x / 52);
     const Few few = draw_few({size.x / pixel, size.y / pixel});
-    std::vector<Image> samples = {camera_picture(few, size, pixel), lamp_picture(few, size)};
-    draw_caption(samples[0], "from the camera", scale);
-    draw_caption(samples[1], "from the lamp", scale);
-    save(options, "samples", montage(options.width, options.height, 2, samples));
-
-    std::vector<Image> edges = {close_up(size, shadows::ShadowMethod::map, 128),
-                                close_up(size, shadows::ShadowMethod::irregular, 128)};
-    draw_caption(edges[0], "map, 6 x 128 x 128", scale);
-    draw_caption(edges[1], "irregular", scale);
-    save(options, "edges", montage(options.width, options.height, 2, edges));
+    save_panels(options, "samples", 2,
+                {{camera_picture(few, size, pixel), "from the camera"}, {lamp_picture(few, size), "from the lamp"}});
+    save_panels(options, "edges", 2,
+                {{close_up(size, shadows::ShadowMethod::map, 128), "map, 6 × 128 × 128"},
+                 {close_up(size, shadows::ShadowMethod::irregular, 128), "irregular"}});
 }
 
 }  // namespace

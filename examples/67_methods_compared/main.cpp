@@ -66,18 +66,17 @@ void draw(const Options& options) {
     const auto exact = ask(size, {"exact", ShadowMethod::exact}).factor;
     const shadows::VisibleSampleMemory visible = ask(size, candidates.back()).visible;
     std::printf("method       wrong %%   acne %%   leak %%  edge off/px    rmse  flicker %%       ms\n");
-    std::vector<Image> panels;
+    std::vector<Panel> panels;
     for (const Candidate& candidate : candidates) {
         const Answer answer = ask(size, candidate), nudged = ask(size, candidate, 0.1f);
         const shadows::ShadowError error = compare_shadows(visible.samples(), exact, answer.factor, 2);
         print_row(candidate, error, flipped_share(visible.samples(), answer.factor, nudged.factor), answer.ms);
-        panels.push_back(error_picture(visible.samples(), exact, answer.factor));
         char caption[40];
         std::snprintf(caption, sizeof caption, "%s %.2f %%", candidate.name.c_str(),
                       100.0 * error.misclassified_share());
-        draw_caption(panels.back(), caption, std::max(1, text_scale(options.height) / 2));
+        panels.emplace_back(error_picture(visible.samples(), exact, answer.factor), caption);
     }
-    save(options, "errors", montage(options.width, options.height, 3, panels));
+    save_panels(options, "errors", 3, panels);
     scene::Scene scene = crowded_table({options.width, options.height}, {"exact", ShadowMethod::exact}, 0.0f);
     scene.image.samples = 3;
     render_and_save(options, "exact", scene);

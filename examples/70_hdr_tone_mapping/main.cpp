@@ -4,9 +4,8 @@
 #include <algorithm>
 #include <string>
 
-#include "examples/chart.hpp"
-#include "examples/example.hpp"
 #include "examples/lit_scene.hpp"
+#include "examples/plots.hpp"
 #include "scene/render/render.hpp"
 
 using namespace kreda;
@@ -47,40 +46,39 @@ scene::Scene make_scene(glm::ivec2 size) {
     return scene;
 }
 
-Image shown(const Image& radiance, const FilmSettings& film, const std::string& caption, int picture_height) {
+Panel shown(const Image& radiance, const FilmSettings& film, const std::string& caption) {
     Image image = develop(radiance, film);
     for (float& value : image.values) value = raster::linear_from_srgb(value);  // save() encodes again
-    draw_caption(image, caption, text_scale(picture_height));
-    return image;
+    return {image, caption};
 }
 
 /// What the three operators make of radiance, on a logarithmic axis.
-Image curves(glm::ivec2 size, int picture_height) {
-    Chart chart = make_chart(size, picture_height, "shown", {0.1, 100.0, 0.0, true}, {0.0, 1.0, 0.5});
-    plot(chart, kDust, [](double x) { return x < 1.0 ? x : 1.0; });
-    plot(chart, kBlue, [](double x) { return raster::reinhard(static_cast<float>(x)); });
-    plot(chart, kOrange,
-         [](double x) { return std::min(raster::reinhard_extended(static_cast<float>(x), kWhite), 1.0f); });
-    const glm::vec2 start(0.38f, 0.45f);
-    legend(chart, "clamp", kDust, start);
-    legend(chart, "Reinhard", kBlue, start);
-    legend(chart, "extended", kOrange, start);
-    return chart.image;
+Plot curves() {
+    Plot plot = empty_plot("radiance", "shown", true);
+    plot.x_range = {0.1, 100.0};
+    plot.y_range = {0.0, 1.05};
+    plot.key = "inside right bottom";
+    const auto add = [&](const char* name, auto shown) {
+        plot.series.push_back(curve(
+            name, *plot.x_range, [=](double L) { return shown(static_cast<float>(L)); }, true));
+    };
+    add("clamp", [](float L) { return std::min(L, 1.0f); });
+    add("Reinhard", [](float L) { return raster::reinhard(L); });
+    add("extended", [](float L) { return std::min(raster::reinhard_extended(L, kWhite), 1.0f); });
+    return plot;
 }
 
 void draw(const Options& options) {
     const glm::ivec2 size = panel_size(options.width, options.height, 3, 2);
     const Image radiance = scene::render(make_scene(size));
-    const int height = options.height;
-    const std::vector<Image> panels = {
-        shown(radiance, {.exposure = 0.15f}, "exposure .15", height),
-        shown(radiance, {.exposure = 1.0f}, "exposure 1", height),
-        shown(radiance, {.exposure = 6.0f}, "exposure 6", height),
-        shown(radiance, {.exposure = 2.0f, .tone_map = ToneMap::reinhard}, "Reinhard", height),
-        shown(radiance, {.exposure = 2.0f, .tone_map = ToneMap::reinhard_extended, .white = kWhite}, "extended",
-              height),
-        curves(size, height)};
-    save(options, "tone_mapping", montage(options.width, options.height, 3, panels));
+    const std::vector<Panel> panels = {
+        shown(radiance, {.exposure = 0.15f}, "exposure 0.15"),
+        shown(radiance, {.exposure = 1.0f}, "exposure 1"),
+        shown(radiance, {.exposure = 6.0f}, "exposure 6"),
+        shown(radiance, {.exposure = 2.0f, .tone_map = ToneMap::reinhard}, "Reinhard"),
+        shown(radiance, {.exposure = 2.0f, .tone_map = ToneMap::reinhard_extended, .white = kWhite}, "extended"),
+        plot_panel(options, "curves", "", curves(), size)};
+    save_panels(options, "tone_mapping", 3, panels);
 }
 
 }  // namespace

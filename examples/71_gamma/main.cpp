@@ -31,33 +31,37 @@ Image checkerboard(glm::ivec2 size) {
 }
 
 /// The checkerboard with two windows: 0.5 written without encoding, and encoded. Squint: which window vanishes?
-Image half_the_light(glm::ivec2 size, int picture_height) {
-    Image image = checkerboard(size);
+Panel half_the_light(glm::ivec2 size, int picture_height) {
+    Panel panel(checkerboard(size));
     const int scale = text_scale(picture_height);
     const int width = size.x * 3 / 10, height = size.y / 2, top = size.y / 6;
     const auto window = [&](int left, float light, const char* label) {
-        fill_rectangle(image, left, top, width, height, glm::vec3(light));
-        fill_rectangle(image, left, size.y * 13 / 16 - 3 * scale, width, 13 * scale, kBoard);
-        draw_text(image, left + scale, size.y * 13 / 16, label, kChalk, scale);
+        fill_rectangle(panel.image, left, top, width, height, glm::vec3(light));
+        fill_rectangle(panel.image, left, size.y * 13 / 16 - 3 * scale, width, 13 * scale, kBoard);
+        const glm::vec2 start(left + scale, size.y * 13 / 16 + 7 * scale);
+        panel.labels.push_back({start, label, kChalk, caption_size(picture_height)});
     };
     window(size.x / 8, display(0.5f), "as it is");
     window(size.x * 23 / 40, display(raster::srgb_from_linear(0.5f)), "encoded");
-    return image;
+    return panel;
 }
 
 /// Equal steps of light from 0 to 1: above written as they are, below encoded.
-Image steps(glm::ivec2 size, int picture_height) {
-    Image image = make_board(size.x, size.y);
+Panel steps(glm::ivec2 size, int picture_height) {
+    Panel panel(make_board(size.x, size.y));
     for (int i = 0; i < kSteps; ++i) {
         const float light = static_cast<float>(i) / (kSteps - 1);
         const int left = i * size.x / kSteps, right = (i + 1) * size.x / kSteps;
-        fill_rectangle(image, left, 0, right - left, size.y / 2, glm::vec3(display(light)));
-        fill_rectangle(image, left, size.y / 2, right - left, size.y / 2, glm::vec3(light));
+        fill_rectangle(panel.image, left, 0, right - left, size.y / 2, glm::vec3(display(light)));
+        fill_rectangle(panel.image, left, size.y / 2, right - left, size.y / 2, glm::vec3(light));
     }
-    const int scale = text_scale(picture_height);
-    draw_text(image, size.x / 3, 4 * scale, "as it is", kOrange, scale);
-    draw_text(image, size.x / 3, size.y / 2 + 4 * scale, "encoded", kOrange, scale);
-    return image;
+    const float type = caption_size(picture_height), right = static_cast<float>(size.x) - 0.4f * type;
+    for (const bool encoded : {false, true}) {
+        const char* const text = encoded ? "encoded" : "as it is";
+        const float top = encoded ? static_cast<float>(size.y / 2) : 0.0f;
+        panel.labels.push_back({{right - tools::type_width(text, type), top + 1.3f * type}, text, kBoard, type});
+    }
+    return panel;
 }
 
 /// A ball that is lit from the left: a half moon.
@@ -93,12 +97,12 @@ void print_numbers() {
 void draw(const Options& options) {
     const glm::ivec2 size = panel_size(options.width, options.height, 2, 2);
     const Image radiance = scene::render(half_moon(size));
-    Image as_it_is = unencoded(radiance), encoded = radiance;
-    draw_caption(as_it_is, "as it is", text_scale(options.height));
-    draw_caption(encoded, "encoded", text_scale(options.height));
-    save(options, "gamma",
-         montage(options.width, options.height, 2,
-                 {half_the_light(size, options.height), steps(size, options.height), as_it_is, encoded}));
+    const Image as_it_is = unencoded(radiance);
+    save_panels(options, "gamma", 2,
+                {half_the_light(size, options.height),
+                 steps(size, options.height),
+                 {as_it_is, "as it is"},
+                 {radiance, "encoded"}});
     print_numbers();
 }
 

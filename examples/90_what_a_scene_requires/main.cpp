@@ -1,7 +1,6 @@
 // 90_what_a_scene_requires: the plan. Five scenes, and which passes each of them needs, with what they cost.
 // Page docs/90_what_a_scene_requires.md | After 24_shading, 30_fog | New: make_plan(), PlannedPass, PassCost
-// Break at: list_passes | Look at: plan.passes, plan.frequency, plan.vertex | Try: switch a lamp off, set
-// fog.density to 0
+// Break at: list_passes | Look at: plan.passes, plan.frequency, plan.vertex | Try: switch a lamp off, no fog
 #include <cmath>
 #include <cstdio>
 
@@ -90,45 +89,47 @@ scene::Scene crowded_scene(glm::ivec2 size) {
 /// The same picture by the plan that leaves nothing out and by the one that does, and what they take.
 void draw_pruned(const Options& options) {
     const int scale = text_scale(options.height), half = options.width / 2, bottom = 44 * scale;
+    const float type = caption_size(options.height);
     const scene::Scene scene = crowded_scene({half - 4, options.height - bottom});
-    Image picture = make_board(options.width, options.height);
+    Panel panel(make_board(options.width, options.height));
     for (const bool prune : {false, true}) {
         const scene::RenderPlan plan = make_plan_for(scene, scene::PlanRequest{.prune = prune});
         scene::RenderBuffers buffers;
         const double ms = render(scene, plan, buffers).times.total_ms;
-        const int x = prune ? half + 2 : 2, y = options.height - bottom + 4 * scale;
+        const int x = prune ? half + 2 : 2, y = options.height - bottom + 11 * scale;
         char line[3][64];
         std::snprintf(line[0], 64, "%s: %zu passes", prune ? "what is seen" : "everything", plan.passes.size());
         std::snprintf(line[1], 64, "%.1f million operations", 1e-6 * total_operations(plan));
-        std::snprintf(line[2], 64, "%.1f MB", 1e-6 * static_cast<double>(total_bytes(plan)));
-        for (int i = 0; i < 3; ++i) draw_text(picture, x, y + 12 * i * scale, line[i], i ? kChalk : kYellow, scale);
-        paste(picture, buffers.film, x, 0);
+        std::snprintf(line[2], 64, "%.1f MB", 1e-6 * double(total_bytes(plan)));
+        for (int i = 0; i < 3; ++i) panel.labels.push_back({{x + 4, y + 12 * i * scale}, line[i], kChalk, type});
+        paste(panel.image, buffers.film, x, 0);
         std::printf("%s, %s, %s, %.2f ms\n", line[0], line[1], line[2], ms);
     }
-    save(options, "pruned", picture);
+    save_panel(options, "pruned", panel);
 }
 
 void draw(const Options& options) {
     const int scale = text_scale(options.height), left = 100 * options.width / 320, top = options.height * 5 / 18;
     const int column = (options.width - left) / 5, row = (options.height - top) / static_cast<int>(kPasses.size());
+    const float type = caption_size(options.height);
     const std::vector<PlannedScene> scenes = five_scenes({column - 4, top - 12 * scale});
-    Image picture = make_board(options.width, options.height);
-    for (std::size_t r = 0; r < kPasses.size(); ++r)
-        draw_text(picture, 4 * scale, top + static_cast<int>(r) * row + row / 2 - 3 * scale, kPasses[r], kChalk, scale);
+    Panel panel(make_board(options.width, options.height));
+    int y = top + row / 2 + 3 * scale - row;
+    for (const std::string& pass : kPasses) panel.labels.push_back({{4 * scale, y += row}, pass, kChalk, type});
     for (int c = 0; c < 5; ++c) {
         const auto& [name, scene] = scenes[static_cast<std::size_t>(c)];
         const scene::RenderPlan plan = make_plan(scene);
         const int x = left + c * column;
-        paste(picture, scene::render(scene), x, 0);
-        draw_text(picture, x, top - 10 * scale, name, kYellow, scale);
+        paste(panel.image, scene::render(scene), x, 0);
+        panel.labels.push_back({{x, top - 3 * scale}, name, kYellow, type});
         for (int r = 0; r < static_cast<int>(kPasses.size()); ++r) {
-            draw_cell(picture, plan, find_pass(plan, kPasses[static_cast<std::size_t>(r)]), x, top + r * row + row / 2,
-                      column - 6, row * 3 / 5);
+            draw_cell(panel.image, plan, find_pass(plan, kPasses[static_cast<std::size_t>(r)]), x,
+                      top + r * row + row / 2, column - 6, row * 3 / 5);
         }
         std::printf("%-8s %2zu passes, %5.1f million operations, %8llu bytes\n", name, plan.passes.size(),
                     1e-6 * total_operations(plan), static_cast<unsigned long long>(total_bytes(plan)));
     }
-    save(options, "plans", picture);
+    save_panel(options, "plans", panel);
     draw_pruned(options);
 }
 

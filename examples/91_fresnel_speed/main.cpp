@@ -8,9 +8,8 @@
 
 #include <glm/common.hpp>
 
-#include "examples/chart.hpp"
-#include "examples/example.hpp"
 #include "examples/fresnel_views.hpp"
+#include "examples/plots.hpp"
 #include "lighting/batch/microfacet_passes.hpp"
 #include "tools/measure/fresnel_methods.hpp"
 
@@ -96,28 +95,32 @@ void print_speed(const std::vector<TimedMethod>& methods) {
 }
 
 /// Error over time. The exact one, whose error is 0, stands on the lower edge. A picture of this machine.
-Image speed_chart(glm::ivec2 size, int picture_height, const std::vector<TimedMethod>& methods) {
-    Chart chart = make_chart(size, picture_height, "platinum: error in percent over ns a point",
-                             {0.1, 100.0, 0.0, true}, {0.0001, 10.0, 0.0, true});
+Plot speed_plot(const std::vector<TimedMethod>& methods) {
+    Plot plot = empty_plot("time of a point [ns]", "error [%]", true, true);
+    plot.x_range = {0.1, 100.0};
+    plot.y_range = {0.0001, 10.0};
+    Series series{"", {}};
+    series.joined = false;
     for (const TimedMethod& m : methods) {
         if (m.error < 0.0) continue;
-        const bool exact = m.error == 0.0;
-        plot_point(chart, m.nanoseconds, exact ? 0.0001 : m.error, m.name, exact ? kChalk : kOrange);
+        series.points.push_back({m.nanoseconds, std::max(m.error, plot.y_range->from)});
+        series.point_names.push_back(m.name);
     }
-    return chart.image;
+    plot.series = {series};
+    return plot;
 }
 
 void draw(const Options& options) {
     const std::vector<TimedMethod> methods = timed_methods();
     print_speed(methods);
-    save(options, "measured_speed", speed_chart({options.width, options.height}, options.height, methods));
+    save_plot(options, "measured_speed", "platinum", speed_plot(methods));
 
     const glm::ivec2 size = panel_size(options.width, options.height, 4, 2);
-    std::vector<Image> panels;
+    std::vector<Panel> panels;
     for (const Subject& subject : comparison_subjects()) {
-        add_comparison(subject, size, options.height, lighting::published_index("platinum"), kGain, panels);
+        add_comparison(subject, size, lighting::published_index("platinum"), kGain, panels);
     }
-    save(options, "comparison", montage(options.width, options.height, 4, panels));
+    save_panels(options, "comparison", 4, panels);
     print_picture_errors();
 }
 

@@ -8,8 +8,7 @@
 
 #include <glm/common.hpp>
 
-#include "examples/chart.hpp"
-#include "examples/example.hpp"
+#include "examples/plots.hpp"
 #include "examples/table_scene.hpp"
 #include "tools/measure/shadow_settings.hpp"
 
@@ -24,7 +23,6 @@ constexpr int kBand = 2;             // samples: errors farther than this from e
 
 const std::array<const char*, 3> kFilters = {"none", "pcf", "pcss"};  // as in kMapFilters
 const std::array<const char*, 4> kBiases = {"none", "constant", "slope", "normal"};
-const glm::vec3 kBiasColors[4] = {kRed, kYellow, kGreen, kBlue};
 
 double percent(const ShadowRow& row, std::uint64_t count) {
     return 100.0 * static_cast<double>(count) / static_cast<double>(row.error.visible);
@@ -46,45 +44,49 @@ glm::vec3 color_of(double percent) {
 }
 
 /// Wrong pixels in percent; a line a filter and bias, a column a size.
-Image table_picture(const Options& options, const std::vector<ShadowRow>& rows) {
-    Image image = make_board(options.width, options.height);
-    const int scale = text_scale(options.height);
+Panel table_panel(const Options& options, const std::vector<ShadowRow>& rows) {
+    Panel table = empty_panel({options.width, options.height});
+    const float width = static_cast<float>(options.width), line_height = static_cast<float>(options.height) / 13.5f;
+    const float type = caption_size(options.height);
     const auto write = [&](std::size_t column, std::size_t line, const std::string& text, const glm::vec3& color) {
-        const int x = column == 0 ? 2 * scale : options.width * (10 + 18 * static_cast<int>(column)) / 100;
-        draw_text(image, x, options.height / 13 * static_cast<int>(line) + 3 * scale, text, color, scale);
+        const float right = (0.30f + 0.17f * static_cast<float>(column)) * width;
+        const float x = column == 0 ? 0.02f * width : right - tools::type_width(text, type);
+        table.labels.push_back({{x, (static_cast<float>(line) + 0.85f) * line_height}, text, color, type});
     };
     write(0, 0, "filter, bias", kChalk);
     for (std::size_t s = 0; s < kMapSizes.size(); ++s) write(s + 1, 0, std::to_string(kMapSizes[s]), kChalk);
     for (const ShadowRow& row : rows) {
         const std::size_t line = 1 + kBiases.size() * row.filter + row.bias;
-        write(0, line, std::string(kFilters[row.filter]) + " " + kBiases[row.bias], kDust);
+        if (row.size == 0) write(0, line, std::string(kFilters[row.filter]) + ", " + kBiases[row.bias], kDust);
         char text[16];
         std::snprintf(text, sizeof text, "%.3f %%", wrong_percent(row));
         write(row.size + 1, line, text, color_of(wrong_percent(row)));
     }
-    return image;
+    return table;
 }
 
-/// Wrong pixels over the size of the map, unfiltered; dashed: in inverse proportion.
-Image size_chart(const Options& options, const std::vector<ShadowRow>& rows) {
-    Chart chart = make_chart({options.width, options.height}, options.height, "wrong pixels [%] over texels a side",
-                             {100.0, 10000.0, 0.0, true}, {0.001, 100.0, 0.0, true});
-    plot(
-        chart, kDust, [](double size) { return 16.0 / size; }, true);
+/// Wrong pixels over the size of the map, unfiltered; and what is in inverse proportion to it.
+Plot size_plot(const std::vector<ShadowRow>& rows) {
+    Plot plot = empty_plot("texels a side", "wrong pixels [%]", true, true);
+    plot.x_range = {100.0, 10000.0};
+    plot.y_range = {0.001, 100.0};
+    for (const char* bias : kBiases) plot.series.push_back({bias, {}});
     for (const ShadowRow& row : rows) {
-        const double y = std::max(wrong_percent(row), chart.y.from);
-        if (row.filter == 0) plot_point(chart, kMapSizes[row.size], y, "", kBiasColors[row.bias]);
+        const double y = std::max(wrong_percent(row), plot.y_range->from);
+        if (row.filter == 0) plot.series[row.bias].points.push_back({kMapSizes[row.size], y});
     }
-    for (std::size_t b = 0; b < kBiases.size(); ++b) legend(chart, kBiases[b], kBiasColors[b], {0.8f, 0.06f});
-    return chart.image;
+    plot.series.push_back(curve(
+        "16 / size", *plot.x_range, [](double size) { return 16.0 / size; }, true));
+    plot.key = "inside right top";
+    return plot;
 }
 
 void draw(const Options& options) {
     const std::vector<ShadowRow> rows =
         measure_shadow_maps(sunny_table({options.width, options.height}), kLightSize, kBand);
     print_rows(rows);
-    save(options, "table", table_picture(options, rows));
-    save(options, "size", size_chart(options, rows));
+    save_panel(options, "table", table_panel(options, rows));
+    save_plot(options, "size", "", size_plot(rows));
 }
 
 }  // namespace

@@ -3,8 +3,7 @@
 // Break at: stored_depth | Look at: z, depth, steps | Try: kNear 1, kFar 1e6, kGap 0.5
 #include <cmath>
 
-#include "examples/chart.hpp"
-#include "examples/example.hpp"
+#include "examples/plots.hpp"
 #include "raster/depth_formats.hpp"
 
 using namespace kreda;
@@ -35,7 +34,7 @@ bool has_carpet(double across, double along) {
 
 /// What the eye sees of carpets that lie almost on the ground, when this is how depth is kept. The horizon is on top;
 /// the ground is drawn first, then the carpets.
-Image draw_carpets(glm::ivec2 size, const Shown& shown, int picture_height) {
+Panel draw_carpets(glm::ivec2 size, const Shown& shown) {
     Image image = make_board(size.x, size.y);
     const double focal_length = 1.9 * size.y;  // in pixels: 30 degrees from bottom to top
     for (int y = 0; y < size.y; ++y) {
@@ -50,29 +49,28 @@ Image draw_carpets(glm::ivec2 size, const Shown& shown, int picture_height) {
             image.set_rgb(x, y, wins && has_carpet(across, ground) ? shown.color : kSlate);
         }
     }
-    draw_caption(image, shown.name, text_scale(picture_height));
-    return image;
+    return {image, shown.name};
 }
 
 /// The least gap over the distance, for all formats.
-Image draw_steps(glm::ivec2 size) {
-    Chart chart =
-        make_chart(size, size.y, "least gap over distance", {0.1, 1000.0, 1.0, true}, {1e-8, 100.0, 1.0, true});
+Plot steps_plot() {
+    Plot plot = empty_plot("distance", "least gap", true, true);
+    plot.x_range = {0.1, 1000.0};
+    plot.y_range = {1e-8, 100.0};
+    plot.key = "inside left top Left reverse";
     for (const Shown& shown : kShown) {
-        const bool dashed = shown.format == DepthFormat::float32;  // where it is no better than 24 bits
-        plot(
-            chart, shown.color, [&](double z) { return raster::depth_step(shown.format, z, kNear, kFar); }, dashed);
-        legend(chart, shown.name, shown.color, {0.04f, 0.06f});
+        const auto step = [&](double z) { return raster::depth_step(shown.format, z, kNear, kFar); };
+        plot.series.push_back(curve(shown.name, *plot.x_range, step, true));
     }
-    return chart.image;
+    return plot;
 }
 
 void draw(const Options& options) {
     const glm::ivec2 size = panel_size(options.width, options.height, 2, 2);
-    std::vector<Image> panels;
-    for (const Shown& shown : kShown) panels.push_back(draw_carpets(size, shown, options.height));
-    save(options, "carpets", montage(options.width, options.height, 2, panels));
-    save(options, "steps", draw_steps({options.width, options.height}));
+    std::vector<Panel> panels;
+    for (const Shown& shown : kShown) panels.push_back(draw_carpets(size, shown));
+    save_panels(options, "carpets", 2, panels);
+    save_plot(options, "steps", "", steps_plot());
 }
 
 }  // namespace

@@ -3,8 +3,7 @@
 // Break at: printed_ggx | Look at: c, q | Try: kAlpha 0.02, kIndex 1.01
 #include <cmath>
 
-#include "examples/chart.hpp"
-#include "examples/example.hpp"
+#include "examples/plots.hpp"
 #include "lighting/fresnel.hpp"
 #include "lighting/microfacet.hpp"
 
@@ -34,7 +33,7 @@ Real printed_fresnel(Real c, Real n) {
 
 /// A flat mirror seen from straight above under a lamp: what D is at every pixel, 1 in the middle.
 template <class D>
-Image draw_highlight(glm::ivec2 size, int picture_height, const char* name, D distribution) {
+Panel draw_highlight(glm::ivec2 size, const char* name, D distribution) {
     Image image = make_board(size.x, size.y);
     const glm::vec3 n{0.0f, 0.0f, 1.0f};
     const float top = lighting::ggx_distribution(1.0f, 0.0f, kAlpha);
@@ -47,8 +46,7 @@ Image draw_highlight(glm::ivec2 size, int picture_height, const char* name, D di
             image.set_rgb(x, y, kChalk * raster::saturate(distribution(n, h) / top));
         }
     }
-    draw_caption(image, name, text_scale(picture_height));
-    return image;
+    return {image, name};
 }
 
 /// How far a float is from what it should be, as a share of that; nothing smaller than 1e-9 is shown.
@@ -56,16 +54,19 @@ double error_of(float value, double exact) {
     return std::max(std::abs(double{value} - exact) / exact, 1e-9);
 }
 
-Image draw_errors(glm::ivec2 size) {
-    Chart chart =
-        make_chart(size, size.y, "error over cosine, n = 1.00001", {0.001, 1.0, 1.0, true}, {1e-9, 100.0, 1.0, true});
+Plot errors_plot() {
+    Plot plot = empty_plot("cosine", "relative error", true, true);
+    plot.x_range = {0.001, 1.0};
+    plot.y_range = {1e-9, 100.0};
+    plot.key = "inside right top";
     const auto exact = [](double c) { return printed_fresnel(double{static_cast<float>(c)}, double{kIndex}); };
-    plot(chart, kRed, [&](double c) { return error_of(printed_fresnel(static_cast<float>(c), kIndex), exact(c)); });
-    plot(chart, kGreen,
-         [&](double c) { return error_of(lighting::fresnel_dielectric(static_cast<float>(c), kIndex), exact(c)); });
-    legend(chart, "as printed", kRed, {0.04f, 0.06f});
-    legend(chart, "g - c as (n^2 - 1) / (g + c)", kGreen, {0.04f, 0.06f});
-    return chart.image;
+    const auto printed = [&](double c) { return error_of(printed_fresnel(static_cast<float>(c), kIndex), exact(c)); };
+    const auto arranged = [&](double c) {
+        return error_of(lighting::fresnel_dielectric(static_cast<float>(c), kIndex), exact(c));
+    };
+    plot.series = {curve("as printed", *plot.x_range, printed, true),
+                   curve("$g$ − $c$ as ($n^2$ − 1) / ($g$ + $c$)", *plot.x_range, arranged, true)};
+    return plot;
 }
 
 void draw(const Options& options) {
@@ -74,11 +75,9 @@ void draw(const Options& options) {
     const auto arranged = [](const glm::vec3& n, const glm::vec3& h) {
         return lighting::ggx_distribution(glm::dot(n, h), lighting::squared_sine(n, h), kAlpha);
     };
-    save(options, "highlight",
-         montage(options.width, options.height, 2,
-                 {draw_highlight(size, options.height, "as printed", printed),
-                  draw_highlight(size, options.height, "sin^2 from n - h", arranged)}));
-    save(options, "fresnel", draw_errors({options.width, options.height}));
+    save_panels(options, "highlight", 2,
+                {draw_highlight(size, "as printed", printed), draw_highlight(size, "sin² from $n$ − $h$", arranged)});
+    save_plot(options, "fresnel", "$n$ = 1.00001", errors_plot());
 }
 
 }  // namespace

@@ -2,8 +2,10 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdio>
 #include <filesystem>
 #include <fstream>
+#include <map>
 #include <regex>
 #include <sstream>
 #include <stdexcept>
@@ -20,13 +22,62 @@ raster::Image golden(const std::string& file) {
     return scene::read_image(std::string(KREDA_SOURCE_DIR) + "/tests/golden/" + file);
 }
 
-raster::Image linear_panel(const std::string& file, int columns, int rows, int index) {
-    constexpr int kGap = 4;  // between the panels of a montage
-    const glm::ivec2 size = examples::panel_size(320, 180, columns, rows);
-    const glm::ivec2 corner = glm::ivec2(index % columns, index / columns) * (size + kGap);
-    raster::Image image = examples::crop(golden(file), corner.x, corner.y, size.x, size.y);
+namespace {
+
+constexpr glm::ivec2 kGoldenSize(320, 180);
+
+/// The files of a picture's panels by their numbers, from 0: "tests/golden/22_phong_terms/terms/1_ambient.png" is 0.
+std::map<int, std::string> panel_files(const std::string& picture) {
+    const std::filesystem::path folder = std::string(KREDA_SOURCE_DIR) + "/tests/golden/" + picture;
+    REQUIRE_MESSAGE(std::filesystem::is_directory(folder), folder.string(), " has no golden panels");
+    std::map<int, std::string> files;
+    for (const auto& entry : std::filesystem::directory_iterator(folder)) {
+        files[std::stoi(entry.path().filename().string()) - 1] = entry.path().string();
+    }
+    return files;
+}
+
+}  // namespace
+
+raster::Image golden_montage(const std::string& picture, int columns) {
+    std::vector<raster::Image> panels;
+    for (const auto& [number, file] : panel_files(picture)) {
+        REQUIRE(number == static_cast<int>(panels.size()));
+        panels.push_back(scene::read_image(file));
+    }
+    return examples::montage(kGoldenSize.x, kGoldenSize.y, columns, panels);
+}
+
+raster::Image linear_panel(const std::string& picture, int columns, int rows, int index) {
+    const std::map<int, std::string> files = panel_files(picture);
+    REQUIRE(files.contains(index));
+    const raster::Image panel = scene::read_image(files.at(index));
+    const glm::ivec2 size = examples::panel_size(kGoldenSize.x, kGoldenSize.y, columns, rows);
+    raster::Image image = examples::make_board(size.x, size.y, glm::vec3(0.0f));
+    examples::paste(image, panel, (size.x - panel.width) / 2, (size.y - panel.height) / 2);
     for (float& value : image.values) value = raster::linear_from_srgb(value);
     return image;
+}
+
+std::vector<glm::dvec2> golden_series(const std::string& plot, const std::string& series) {
+    std::istringstream lines(repository_text("tests/golden/" + plot + ".csv"));
+    std::vector<glm::dvec2> points;
+    for (std::string line; std::getline(lines, line);) {
+        if (!line.starts_with(series + ",")) continue;
+        glm::dvec2 point;
+        REQUIRE(std::sscanf(line.c_str() + series.size(), ",%lf,%lf", &point.x, &point.y) == 2);
+        points.push_back(point);
+    }
+    REQUIRE_MESSAGE(!points.empty(), plot, " has no series ", series);
+    return points;
+}
+
+double golden_value(const std::string& plot, const std::string& series, double x) {
+    for (const glm::dvec2& point : golden_series(plot, series)) {
+        if (std::abs(point.x - x) < 1e-9) return point.y;
+    }
+    FAIL(plot, ", ", series, " has no point at ", x);
+    return 0.0;
 }
 
 std::vector<std::string> example_names() {

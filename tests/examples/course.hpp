@@ -4,16 +4,27 @@
 #include <string>
 #include <vector>
 
+#include <glm/vec2.hpp>
+
 #include "raster/image.hpp"
 
 namespace kreda::tests {
 
-/// A golden image, "10_triangle/coverage.png". golden_check holds every example to its golden images, so what is true
+/// A golden panel, "10_triangle/coverage.png". golden_check holds every example to its golden panels, so what is true
 /// of them is true of what the example draws.
 [[nodiscard]] raster::Image golden(const std::string& file);
 
-/// Panel number `index` (row by row) of a golden montage of 320 x 180, decoded to linear light.
-[[nodiscard]] raster::Image linear_panel(const std::string& file, int columns, int rows, int index);
+/// The golden panels of a picture of 320 x 180, "13_perspective/compare", in their places; without the captions.
+[[nodiscard]] raster::Image golden_montage(const std::string& picture, int columns);
+
+/// Panel number `index` (row by row) of a picture of 320 x 180 in the middle of its cell, decoded to linear light.
+[[nodiscard]] raster::Image linear_panel(const std::string& picture, int columns, int rows, int index);
+
+/// The points of a plot's series, from its golden CSV file "40_fresnel/methods".
+[[nodiscard]] std::vector<glm::dvec2> golden_series(const std::string& plot, const std::string& series);
+
+/// y of the point of a series whose x is this; fails the test if there is none.
+[[nodiscard]] double golden_value(const std::string& plot, const std::string& series, double x);
 
 /// Names of all examples, "10_triangle", sorted.
 [[nodiscard]] std::vector<std::string> example_names();

@@ -1,7 +1,11 @@
-// golden_check PROGRAM GOLDEN_FOLDER FAILURE_FOLDER: runs an example at a small size and compares every picture it
-// writes with the golden one, byte by byte. What differs is saved to FAILURE_FOLDER: NAME.expected.png,
-// NAME.actual.png, NAME.difference.png. With the environment variable KREDA_RENEW_GOLDEN=1 the new pictures become the
-// golden ones: look at them first. Pictures named measured_*.png show times of this machine: they have no golden image.
+// golden_check PROGRAM GOLDEN_FOLDER PICTURE_FOLDER FAILURE_FOLDER: runs an example at a small size and looks at
+//   1. every panel that it computed: the same bytes as the golden one;
+//   2. the numbers of every plot: the same lines as the golden ones;
+//   3. where the texts stand on its pictures: inside, none over another, none too small (layout.hpp);
+//   4. PICTURE_FOLDER, docs/images/NN_name: a picture of each name, for the pages.
+// Panels that differ are saved to FAILURE_FOLDER: NAME.expected.png, NAME.actual.png, NAME.difference.png. With the
+// environment variable KREDA_RENEW_GOLDEN=1 the new panels, numbers and pictures become the golden ones: look at them
+// first. Files named measured_* show times of this machine: they have no golden ones.
 #include <cstdlib>
 #include <exception>
 #include <filesystem>
@@ -10,7 +14,9 @@
 #include <string>
 
 #include "golden.hpp"
+#include "layout.hpp"
 #include "scene/files/image_file.hpp"
+#include "tools/write_file.hpp"
 
 namespace fs = std::filesystem;
 using namespace kreda;
@@ -18,89 +24,150 @@ using namespace kreda;
 namespace {
 
 constexpr const char* kSize = "320x180";
-constexpr std::uintmax_t kLargestFile = 60 * 1024;  // golden images live in the repository
+constexpr const char* kPageSize = "640x360";            // of the pages' pictures
+constexpr std::uintmax_t kLargestFile = 60 * 1024;      // golden images live in the repository
+constexpr std::uintmax_t kLargestPicture = 300 * 1024;  // the pages' pictures, too
 
-std::set<std::string> pictures_in(const fs::path& folder) {
+struct Folders {
+    fs::path program, golden, pictures, failures, made;
+};
+
+/// Files below a folder with this ending, relative to it; those of this machine's times are left out.
+std::set<std::string> files_in(const fs::path& folder, const char* ending) {
     std::set<std::string> names;
     if (!fs::is_directory(folder)) return names;
-    for (const fs::directory_entry& entry : fs::directory_iterator(folder)) {
-        const std::string name = entry.path().filename().string();
-        if (entry.path().extension() == ".png" && !name.starts_with("measured_")) names.insert(name);
+    for (const fs::directory_entry& entry : fs::recursive_directory_iterator(folder)) {
+        const bool measured = entry.path().filename().string().starts_with("measured_");
+        if (entry.path().extension() == ending && !measured) names.insert(fs::relative(entry.path(), folder).string());
     }
     return names;
 }
 
-/// Compare one picture; say and save what differs.
-bool check_picture(const fs::path& actual_file, const fs::path& golden_file, const fs::path& failures) {
-    const std::string name = golden_file.filename().string();
-    if (!fs::exists(golden_file)) {
-        std::cout << name << ": there is no golden image " << golden_file.string() << '\n';
-        return false;
+/// Names of the pictures that an example made; not its panels, which are in a folder.
+std::set<std::string> pictures_in(const fs::path& folder) {
+    std::set<std::string> names;
+    for (const std::string& name : files_in(folder, ".png")) {
+        if (name.find('/') == std::string::npos) names.insert(name);
     }
-    if (!fs::exists(actual_file)) {
-        std::cout << name << ": the example did not write it\n";
-        return false;
-    }
+    return names;
+}
+
+bool are_there(const fs::path& actual, const fs::path& golden, const std::string& name) {
+    if (fs::exists(actual) && fs::exists(golden)) return true;
+    std::cout << name << (fs::exists(actual) ? ": there is no golden one\n" : ": the example did not write it\n");
+    return false;
+}
+
+/// Compare one panel; say and save what differs.
+bool check_panel(const Folders& at, const std::string& name) {
+    const fs::path actual_file = at.made / "panels" / name, golden_file = at.golden / name;
+    if (!are_there(actual_file, golden_file, name)) return false;
     const raster::Image actual = scene::read_image(actual_file.string());
     const raster::Image golden = scene::read_image(golden_file.string());
     const tools::Comparison difference = tests::compare_bytes(actual, golden);
     std::cout << name << ": " << describe(difference) << '\n';
     if (difference.passed) return true;
-    fs::create_directories(failures);
-    const std::string stem = (failures / golden_file.stem()).string();
-    fs::copy_file(golden_file, stem + ".expected.png", fs::copy_options::overwrite_existing);
-    fs::copy_file(actual_file, stem + ".actual.png", fs::copy_options::overwrite_existing);
+    const fs::path stem = (at.failures / name).replace_extension();
+    fs::create_directories(stem.parent_path());
+    fs::copy_file(golden_file, stem.string() + ".expected.png", fs::copy_options::overwrite_existing);
+    fs::copy_file(actual_file, stem.string() + ".actual.png", fs::copy_options::overwrite_existing);
     if (difference.comparable) {
-        scene::write_png(stem + ".difference.png", tests::amplified_difference(actual, golden));
+        scene::write_png(stem.string() + ".difference.png", tests::amplified_difference(actual, golden));
     }
-    std::cout << "  see " << stem << ".difference.png\n";
+    std::cout << "  see " << stem.string() << ".difference.png\n";
     return false;
 }
 
-bool renew(const fs::path& made, const fs::path& golden) {
-    fs::create_directories(golden);
-    for (const std::string& name : pictures_in(golden)) fs::remove(golden / name);
-    for (const std::string& name : pictures_in(made)) {
-        if (fs::file_size(made / name) > kLargestFile) {
-            std::cout << name << " is larger than " << kLargestFile << " bytes: too large for the repository\n";
-            return false;
-        }
-        fs::copy_file(made / name, golden / name);
-        std::cout << name << ": renewed; look at it before you commit it\n";
+bool check_numbers(const Folders& at, const std::string& name) {
+    if (!are_there(at.made / name, at.golden / name, name)) return false;
+    const bool same =
+        tools::bytes_of_file((at.made / name).string()) == tools::bytes_of_file((at.golden / name).string());
+    std::cout << name << (same ? ": the same numbers\n" : ": other numbers\n");
+    return same;
+}
+
+bool check_layout(const Folders& at) {
+    const auto texts = tests::read_layout((at.made / "panels/layout.txt").string());
+    const std::vector<std::string> faults = tests::layout_faults(texts);
+    for (const std::string& fault : faults) std::cout << fault << '\n';
+    std::cout << "layout: " << texts.size() << " texts\n";
+    return faults.empty();
+}
+
+bool check_pictures(const Folders& at) {
+    bool all = true;
+    for (const std::string& name : pictures_in(at.made)) {
+        const bool is_there = fs::exists(at.pictures / name);
+        if (!is_there) std::cout << (at.pictures / name).string() << ": the page has no such picture\n";
+        all = all && is_there;
     }
+    return all;
+}
+
+bool draw(const Folders& at, const char* size) {
+    fs::remove_all(at.made);
+    const std::string command =
+        "'" + at.program.string() + "' --panels --out '" + at.made.parent_path().string() + "' --size " + size;
+    if (std::system(command.c_str()) == 0) return true;
+    std::cout << "this failed: " << command << '\n';
+    return false;
+}
+
+bool copy(const fs::path& from, const fs::path& to, std::uintmax_t largest) {
+    if (fs::file_size(from) > largest) {
+        std::cout << from.string() << " is larger than " << largest << " bytes: too large for the repository\n";
+        return false;
+    }
+    fs::create_directories(to.parent_path());
+    fs::copy_file(from, to, fs::copy_options::overwrite_existing);
+    std::cout << to.string() << ": renewed; look at it before you commit it\n";
     return true;
 }
 
-bool check(const fs::path& program, const fs::path& golden, const fs::path& failures) {
-    const std::string name = golden.filename().string();
-    fs::remove_all(failures);
-    const fs::path out = failures.parent_path().parent_path() / "golden_actual";
-    fs::remove_all(out / name);
-    const std::string command = "'" + program.string() + "' --out '" + out.string() + "' --size " + kSize;
-    if (std::system(command.c_str()) != 0) {
-        std::cout << "this failed: " << command << '\n';
-        return false;
+bool renew(const Folders& at) {
+    bool all = true;
+    fs::remove_all(at.golden);
+    for (const std::string& name : files_in(at.made / "panels", ".png")) {
+        all = copy(at.made / "panels" / name, at.golden / name, kLargestFile) && all;
     }
+    for (const std::string& name : files_in(at.made, ".csv")) {
+        all = copy(at.made / name, at.golden / name, kLargestFile) && all;
+    }
+    if (!draw(at, kPageSize)) return false;
+    fs::remove_all(at.pictures);
+    for (const std::string& name : pictures_in(at.made)) {
+        all = copy(at.made / name, at.pictures / name, kLargestPicture) && all;
+    }
+    return all;
+}
+
+bool check(const Folders& at) {
+    fs::remove_all(at.failures);
+    if (!draw(at, kSize)) return false;
     const char* renew_wish = std::getenv("KREDA_RENEW_GOLDEN");
-    if (renew_wish != nullptr && std::string(renew_wish) == "1") return renew(out / name, golden);
-    std::set<std::string> names = pictures_in(golden);
-    names.merge(pictures_in(out / name));
-    bool all_same = !names.empty();
-    for (const std::string& picture : names) {
-        all_same = check_picture(out / name / picture, golden / picture, failures) && all_same;
-    }
-    return all_same;
+    if (renew_wish != nullptr && std::string(renew_wish) == "1") return renew(at);
+    std::set<std::string> panels = files_in(at.golden, ".png"), numbers = files_in(at.golden, ".csv");
+    panels.merge(files_in(at.made / "panels", ".png"));
+    numbers.merge(files_in(at.made, ".csv"));
+    bool all_same = !panels.empty() || !numbers.empty();
+    for (const std::string& panel : panels) all_same = check_panel(at, panel) && all_same;
+    for (const std::string& plot : numbers) all_same = check_numbers(at, plot) && all_same;
+    all_same = check_layout(at) && all_same;
+    return check_pictures(at) && all_same;
 }
 
 }  // namespace
 
 int main(int argc, char** argv) {
-    if (argc != 4) {
-        std::cerr << "usage: golden_check PROGRAM GOLDEN_FOLDER FAILURE_FOLDER\n";
+    if (argc != 5) {
+        std::cerr << "usage: golden_check PROGRAM GOLDEN_FOLDER PICTURE_FOLDER FAILURE_FOLDER\n";
         return 2;
     }
     try {
-        return check(argv[1], argv[2], argv[3]) ? 0 : 1;
+        Folders at{argv[1], argv[2], argv[3], argv[4], {}};
+        const fs::path example = at.golden.filename();
+        at.made = at.failures.parent_path().parent_path() / "golden_actual" / example;
+        return check(at) ? 0 : 1;
     } catch (const std::exception& error) {
         std::cerr << error.what() << '\n';
         return 1;

@@ -28,7 +28,7 @@ bool inside_by_ray(const std::array<std::array<int, 2>, 3>& corner, int x, int y
 
 /// Painted cells of the square's panel in top_left_rule.png, 0, 1 (blue) or 2 (red), summed.
 std::array<int, 3> count_by_colour(int panel) {
-    const raster::Image picture = golden("10_triangle/top_left_rule.png");
+    const raster::Image picture = golden_montage("10_triangle/top_left_rule", 3);
     const int panel_width = (320 - 8) / 3, cell = panel_width / 8;
     const int left = panel * (panel_width + 4) + (panel_width - 8 * cell) / 2;
     const int top = (180 - 8 * cell) / 2;

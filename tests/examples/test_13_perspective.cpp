@@ -18,7 +18,7 @@ struct Counts {
 
 /// Compare one panel of compare.png with rays, away from the squares' borders.
 Counts compare_with_rays(int left, int width) {
-    const raster::Image picture = golden("13_perspective/compare.png");
+    const raster::Image picture = golden_montage("13_perspective/compare", 2);
     const glm::dvec3 eye(0.3, 0.6, 1.45), target(0.0, 0.08, 0.0);
     const glm::dvec3 forward = glm::normalize(target - eye);
     const glm::dvec3 right = glm::normalize(glm::cross(forward, glm::dvec3(0, 1, 0)));

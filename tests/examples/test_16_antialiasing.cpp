@@ -50,7 +50,7 @@ struct Errors {
 };
 
 Errors errors_of(int panel) {
-    const raster::Image picture = golden("16_antialiasing/star.png");
+    const raster::Image picture = golden_montage("16_antialiasing/star", 3);
     Errors errors;
     int count = 0;
     for (int y = 0; y < kPixels; ++y) {

@@ -29,10 +29,10 @@ double mean_error(const raster::Image& a, const raster::Image& truth) {
 }  // namespace
 
 TEST_CASE("17_textures: mip maps come nearer to 64 samples a pixel than one texel or four") {
-    const raster::Image truth = linear_panel("17_textures/filters.png", 2, 2, 3);
-    const double nearest = mean_error(linear_panel("17_textures/filters.png", 2, 2, 0), truth);
-    const double bilinear = mean_error(linear_panel("17_textures/filters.png", 2, 2, 1), truth);
-    const double trilinear = mean_error(linear_panel("17_textures/filters.png", 2, 2, 2), truth);
+    const raster::Image truth = linear_panel("17_textures/filters", 2, 2, 3);
+    const double nearest = mean_error(linear_panel("17_textures/filters", 2, 2, 0), truth);
+    const double bilinear = mean_error(linear_panel("17_textures/filters", 2, 2, 1), truth);
+    const double trilinear = mean_error(linear_panel("17_textures/filters", 2, 2, 2), truth);
     CHECK(trilinear < 0.8 * bilinear);
     CHECK(trilinear < 0.8 * nearest);
 }
@@ -41,7 +41,7 @@ TEST_CASE("17_textures: at the horizon mip maps show the mean of the texture") {
     // 4 of 64 columns orange, the others half chalk and half blue.
     const glm::vec3 mean =
         examples::kOrange * (4.0f / 64.0f) + 0.5f * (examples::kChalk + 0.35f * examples::kBlue) * (60.0f / 64.0f);
-    const raster::Image panel = linear_panel("17_textures/filters.png", 2, 2, 2);
+    const raster::Image panel = linear_panel("17_textures/filters", 2, 2, 2);
     int row = 0;
     while (glm::distance(panel.rgb(80, row), examples::kBoard) < 0.02f) ++row;
     CHECK(row > 10);

@@ -48,9 +48,9 @@ TEST_CASE("20_lights: at twice the distance a physical lamp gives a quarter") {
 }
 
 TEST_CASE("20_lights: the sun lights the table evenly and outside the cone only ambient light is left") {
-    const raster::Image sun = linear_panel("20_lights/lights.png", 2, 2, 0);
+    const raster::Image sun = linear_panel("20_lights/lights", 2, 2, 0);
     CHECK(glm::distance(sun.rgb(10, 20), sun.rgb(150, 60)) < 2.0f * kHalfCode);
-    const raster::Image spot = linear_panel("20_lights/lights.png", 2, 2, 3);
+    const raster::Image spot = linear_panel("20_lights/lights", 2, 2, 3);
     CHECK(glm::distance(spot.rgb(150, 20), 0.15f * examples::kDust) < 2.0f * kHalfCode);
 }
 
@@ -60,7 +60,7 @@ TEST_CASE("21_lambert: the wall is 0.8 times the cosine") {
         CAPTURE(angles[i]);
         const float cosine = static_cast<float>(std::cos(glm::radians(static_cast<double>(angles[i]))));
         const glm::vec3 expected(0.8f * std::max(cosine, 0.0f));
-        CHECK(glm::distance(middle(linear_panel("21_lambert/cosine.png", 3, 2, i)), expected) < 2.0f * kHalfCode);
+        CHECK(glm::distance(middle(linear_panel("21_lambert/cosine", 3, 2, i)), expected) < 2.0f * kHalfCode);
     }
     CHECK(0.8 * std::cos(glm::radians(60.0)) == doctest::Approx(documented_number("21_lambert", "at_60")));
 }
@@ -78,9 +78,9 @@ TEST_CASE("21_lambert: the bytes of half the light under both models") {
 }
 
 TEST_CASE("22_phong_terms: the last picture is the sum of the four others in linear light") {
-    const raster::Image sum = linear_panel("22_phong_terms/terms.png", 3, 2, 4);
+    const raster::Image sum = linear_panel("22_phong_terms/terms", 3, 2, 4);
     std::vector<raster::Image> term;
-    for (int i = 0; i < 4; ++i) term.push_back(linear_panel("22_phong_terms/terms.png", 3, 2, i));
+    for (int i = 0; i < 4; ++i) term.push_back(linear_panel("22_phong_terms/terms", 3, 2, i));
     int compared = 0;
     for (int y = 0; y < 70; ++y) {  // above the captions
         for (int x = 0; x < sum.width; ++x) {
@@ -103,15 +103,15 @@ TEST_CASE("22_phong_terms: yellow light on a violet material is red") {
 }
 
 TEST_CASE("23_blinn_phong: the matched exponent is nearer to Phong than the same one") {
-    const raster::Image same = linear_panel("23_blinn_phong/blinn_phong.png", 3, 2, 4);
-    const raster::Image matched = linear_panel("23_blinn_phong/blinn_phong.png", 3, 2, 5);
+    const raster::Image same = linear_panel("23_blinn_phong/blinn_phong", 3, 2, 4);
+    const raster::Image matched = linear_panel("23_blinn_phong/blinn_phong", 3, 2, 5);
     CHECK(sum_of(matched) < 0.4 * sum_of(same));
     CHECK(lighting::blinn_exponent_matching_phong(24.0f) == documented_number("23_blinn_phong", "matched"));
 }
 
 TEST_CASE("24_shading: Gouraud misses the narrow highlight that Phong shows") {
-    const float gouraud = brightest_green(linear_panel("24_shading/shading.png", 3, 2, 4));
-    const float phong = brightest_green(linear_panel("24_shading/shading.png", 3, 2, 5));
+    const float gouraud = brightest_green(linear_panel("24_shading/shading", 3, 2, 4));
+    const float phong = brightest_green(linear_panel("24_shading/shading", 3, 2, 5));
     CHECK(phong > gouraud + 0.1f);
     CHECK(raster::make_shape("sphere", 16)->triangle_count() == documented_number("24_shading", "triangles"));
 }
@@ -121,7 +121,7 @@ TEST_CASE("25_exponents: the highlight falls to one half where the arccosine say
     const double exponents[] = {1, 4, 16, 64};
     for (int i = 0; i < 4; ++i) {
         CAPTURE(exponents[i]);
-        const raster::Image image = linear_panel("25_exponents/exponents.png", 3, 2, i);
+        const raster::Image image = linear_panel("25_exponents/exponents", 3, 2, i);
         const double rho = std::acos(std::pow(0.5, 1.0 / exponents[i]));  // between v and r: twice the normal's angle
         const double radius = std::sin(0.5 * rho) * pixels_a_unit;
         int x = 52;
@@ -131,7 +131,7 @@ TEST_CASE("25_exponents: the highlight falls to one half where the arccosine say
 }
 
 TEST_CASE("25_exponents: for h = 1 the disc ends where the normal is turned by 45 degrees") {
-    const raster::Image image = linear_panel("25_exponents/exponents.png", 3, 2, 0);
+    const raster::Image image = linear_panel("25_exponents/exponents", 3, 2, 0);
     const double edge = 52 + std::sin(glm::radians(documented_number("25_exponents", "edge"))) * 88.0 / 2.4;
     CHECK(image.at(0, static_cast<int>(edge) - 3, 44) > 0.01f);
     CHECK(image.at(0, static_cast<int>(edge) + 2, 44) == 0.0f);

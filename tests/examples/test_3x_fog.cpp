@@ -39,7 +39,7 @@ TEST_CASE("30_fog: the far ground has the colour of the fog and linear fog reach
     const glm::vec3 mist = examples::srgb(0x9fb2bd);
     for (int i = 0; i < 3; ++i) {
         CAPTURE(i);
-        CHECK(glm::distance(linear_panel("30_fog/fog.png", 2, 2, i).rgb(80, 2), mist) <
+        CHECK(glm::distance(linear_panel("30_fog/fog", 2, 2, i).rgb(80, 2), mist) <
               0.01f);  // one code of 255 is 0.006 here
     }
 }
@@ -55,7 +55,7 @@ TEST_CASE("31_fog_distance: radial fog does not care where the camera looks and 
         const double turn = glm::radians(turn_deg);
         camera.target = eye + glm::vec3(std::sin(turn), -0.06, -std::cos(turn));
         camera.vertical_fov_deg = 60.0f;
-        const raster::Image image = linear_panel("31_fog_distance/distance.png", 2, 2, index);
+        const raster::Image image = linear_panel("31_fog_distance/distance", 2, 2, index);
         const glm::vec4 clip =
             raster::clip_from_world(camera, float(image.width) / float(image.height)) * glm::vec4(p, 1.0f);
         const int x = static_cast<int>((clip.x / clip.w + 1.0f) * 0.5f * float(image.width));
@@ -69,9 +69,9 @@ TEST_CASE("31_fog_distance: radial fog does not care where the camera looks and 
 }
 
 TEST_CASE("32_fog_per_vertex: a fine ground comes near to fog per pixel and a coarse one does not") {
-    const raster::Image coarse = linear_panel("32_fog_per_vertex/frequency.png", 3, 1, 0);
-    const raster::Image fine = linear_panel("32_fog_per_vertex/frequency.png", 3, 1, 1);
-    const raster::Image pixel = linear_panel("32_fog_per_vertex/frequency.png", 3, 1, 2);
+    const raster::Image coarse = linear_panel("32_fog_per_vertex/frequency", 3, 1, 0);
+    const raster::Image fine = linear_panel("32_fog_per_vertex/frequency", 3, 1, 1);
+    const raster::Image pixel = linear_panel("32_fog_per_vertex/frequency", 3, 1, 2);
     CHECK(difference(fine, pixel) < 0.25 * difference(coarse, pixel));
 }
 

@@ -1,61 +1,41 @@
 // The curves and the table of 40_fresnel against numbers worked by hand and by another program.
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 
 #include <doctest/doctest.h>
-#include <glm/geometric.hpp>
 
 #include "course.hpp"
-#include "examples/chart.hpp"
 #include "lighting/fresnel.hpp"
 #include "tools/measure/fresnel_methods.hpp"
 
 using namespace kreda;
 using namespace kreda::tests;
-using namespace kreda::examples;
 using namespace kreda::tools;
-
-namespace {
-
-/// Value of the lowest or highest point that has this colour in a column of a chart; a blank chart tells its scale.
-struct Reader {
-    raster::Image image;
-    Chart scale;
-
-    [[nodiscard]] double lowest(int x, const glm::vec3& color) const {
-        double least = 1e9;
-        for (int y = static_cast<int>(scale.upper_right.y); y < static_cast<int>(scale.lower_left.y); ++y) {
-            if (glm::distance(image.rgb(x, y), color) > 0.05f) continue;
-            const double share = (scale.lower_left.y - (y + 0.5)) / (scale.lower_left.y - scale.upper_right.y);
-            least = std::min(least, scale.y.from + share * (scale.y.to - scale.y.from));
-        }
-        return least;
-    }
-    [[nodiscard]] int column(double x) const {
-        return static_cast<int>(scale.place(x, scale.y.from).x);
-    }
-};
-
-Reader methods_chart() {
-    return {linear_panel("40_fresnel/methods.png", 1, 1, 0),
-            make_chart({320, 180}, 180, "", {60.0, 90.0, 10.0}, {0.4, 1.0, 0.2})};
-}
-
-}  // namespace
 
 TEST_CASE("40_fresnel: Schlick's curve of platinum's red is where a pocket calculator says") {
     // R0 = (1.49^2 + 4.44^2) / (3.49^2 + 4.44^2) = 0.68771; (1 - cos 80)^5 = 0.82635^5 = 0.38533
-    const Reader chart = methods_chart();
-    const double one_row = 0.6 / (chart.scale.lower_left.y - chart.scale.upper_right.y);
-    CHECK(std::abs(chart.lowest(chart.column(80.0), kYellow) - (0.68771 + 0.31229 * 0.38533)) < 2.0 * one_row);
+    const double F = golden_value("40_fresnel/methods", "\"Schlick, NVIDIA 5\"", 80.0);
+    CHECK(std::abs(F - (0.68771 + 0.31229 * 0.38533)) < 2e-5);  // of numbers with five digits
 }
 
 TEST_CASE("40_fresnel: the exact curve of platinum's red dips to its known minimum") {
-    const Reader chart = methods_chart();
     double least = 1e9;
-    for (int x = chart.column(70.0); x < chart.column(82.0); ++x) least = std::min(least, chart.lowest(x, kChalk));
-    const double one_row = 0.6 / (chart.scale.lower_left.y - chart.scale.upper_right.y);
-    CHECK(std::abs(least - 0.627162) < 2.0 * one_row);  // by a program of its own in long double, at 76.25 degrees
+    for (const glm::dvec2& p : golden_series("40_fresnel/methods", "exact")) least = std::min(least, p.y);
+    // By a program of its own in long double, at 76.25 degrees; a point every quarter of a degree.
+    CHECK(std::abs(least - 0.627162) < 2e-6);
+}
+
+TEST_CASE("40_fresnel: p vanishes at Brewster's angle and both are one when light grazes") {
+    for (const auto& [plot, n] : {std::pair("40_fresnel/water", 1.33), std::pair("40_fresnel/germanium", 4.01)}) {
+        const double brewster = std::atan(n) * 180.0 / std::numbers::pi;
+        glm::dvec2 least(0.0, 1e9);
+        for (const glm::dvec2& p : golden_series(plot, "$p$")) least = p.y < least.y ? p : least;
+        CHECK(std::abs(least.x - brewster) <= 0.375);  // half a step of 0.75 degrees
+        CHECK(golden_value(plot, "mean", 90.0) == doctest::Approx(1.0).epsilon(1e-5));
+        const double at_0 = (n - 1.0) / (n + 1.0);
+        CHECK(golden_value(plot, "mean", 0.0) == doctest::Approx(at_0 * at_0).epsilon(1e-4));
+    }
 }
 
 TEST_CASE("40_fresnel: every number of the page's table is what a million angles give") {

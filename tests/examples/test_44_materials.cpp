@@ -91,8 +91,8 @@ TEST_CASE("44_materials: gold has no diffuse part and its F0 is its albedo and g
 }
 
 TEST_CASE("44_materials: away from the highlights metal is darker than the same colour as paint") {
-    const glm::vec3 paint = linear_panel("44_materials/materials.png", 3, 2, 1).rgb(42, 63);
-    const glm::vec3 metal = linear_panel("44_materials/materials.png", 3, 2, 2).rgb(42, 63);
+    const glm::vec3 paint = linear_panel("44_materials/materials", 3, 2, 1).rgb(42, 63);
+    const glm::vec3 metal = linear_panel("44_materials/materials", 3, 2, 2).rgb(42, 63);
     CHECK(paint.x > paint.z);  // a gold tile
     CHECK(metal.x < 0.5f * paint.x);
 }

@@ -65,7 +65,7 @@ int count_color(const raster::Image& panel, const vec3& color) {
 }  // namespace
 
 TEST_CASE("50_environment: every pixel of the image of directions shows the direction of its angles") {
-    const raster::Image panel = linear_panel("50_environment/layouts.png", 3, 2, 3);
+    const raster::Image panel = linear_panel("50_environment/layouts", 3, 2, 3);
     const int width = 104, height = 52, top = (panel.height - height) / 2;
     for (int y = 0; y < height; ++y) {
         for (int x = 0; x < width; ++x) {
@@ -77,7 +77,7 @@ TEST_CASE("50_environment: every pixel of the image of directions shows the dire
 }
 
 TEST_CASE("50_environment: every pixel of the cube of directions lies where OpenGL's table puts its direction") {
-    const raster::Image panel = linear_panel("50_environment/layouts.png", 3, 2, 4);
+    const raster::Image panel = linear_panel("50_environment/layouts", 3, 2, 4);
     const int side = 26, top = (panel.height - 3 * side) / 2;
     const glm::ivec2 corners[] = {{2, 1}, {0, 1}, {1, 0}, {1, 2}, {1, 1}, {3, 1}};
     for (int face = 0; face < 6; ++face) {
@@ -105,13 +105,13 @@ TEST_CASE("50_environment: the numbers of the page") {
 }
 
 TEST_CASE("50_environment: with the neighbours' texels there is no step and without them there is one") {
-    const auto step = [](int panel) { return largest_step(linear_panel("50_environment/seams.png", 2, 2, panel)); };
+    const auto step = [](int panel) { return largest_step(linear_panel("50_environment/seams", 2, 2, panel)); };
     CHECK(step(0) > 3.0f * step(1));  // 0.104 against 0.019
     CHECK(step(2) > 3.0f * step(3));  // 0.229 against 0.018
 }
 
 TEST_CASE("50_environment: one texel that is no number takes the light from everywhere until it is repaired") {
-    const auto panel = [](int i) { return linear_panel("50_environment/repairs.png", 2, 2, i); };
+    const auto panel = [](int i) { return linear_panel("50_environment/repairs", 2, 2, i); };
     CHECK(count_color(panel(0), tools::kRed) == 2 * 16);  // two texels of 4 x 4 pixels
     CHECK(count_color(panel(0), tools::kBlue) == 16);
     CHECK(count_color(panel(1), tools::kRed) == 0);

@@ -81,7 +81,7 @@ doctest::Approx number(const std::string& key) {
 }  // namespace
 
 TEST_CASE("51_irradiance: the picture shows the light that a sum in double over the sky finds") {
-    const raster::Image panel = linear_panel("51_irradiance/irradiance.png", 3, 2, 0);
+    const raster::Image panel = linear_panel("51_irradiance/irradiance", 3, 2, 0);
     const std::vector<Ray> rays = rays_of_sky(lighting::Sky::studio, 256);
     const int width = 104, height = 52, top = (panel.height - height) / 2;
     for (int y = 3; y < 36; y += 8) {  // above the caption

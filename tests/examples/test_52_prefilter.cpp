@@ -113,7 +113,7 @@ TEST_CASE("52_prefilter: a blur moves light and makes none so every level has th
 }
 
 TEST_CASE("52_prefilter: in the picture samples from mips are near the integral and plain ones are not") {
-    const auto panel = [](int i) { return linear_panel("52_prefilter/fireflies.png", 3, 2, i); };
+    const auto panel = [](int i) { return linear_panel("52_prefilter/fireflies", 3, 2, i); };
     const auto above_caption = [&](int i) {
         raster::Image image = panel(i);
         for (int y = 54; y < image.height; ++y) {

@@ -115,7 +115,7 @@ TEST_CASE("55_views: the irradiance is the integral over the sky's formula") {
 }
 
 TEST_CASE("55_views: the last column of the sheet adds up") {
-    const auto panel = [](int i) { return linear_panel("55_views/sheet.png", 3, 3, i); };
+    const auto panel = [](int i) { return linear_panel("55_views/sheet", 3, 3, i); };
     const raster::Image diffuse = panel(2), specular = panel(5), ambient = panel(8);
     int compared = 0;
     for (int y = 0; y < ambient.height - 14; ++y) {  // above the captions
@@ -247,7 +247,7 @@ TEST_CASE("53_brdf_map: map and closed forms miss quadrature by as much as the p
 TEST_CASE(
     "53_brdf_map: in the picture a mirror keeps everything and a rough surface loses most where it is seen from "
     "above") {
-    const raster::Image panel = linear_panel("53_brdf_map/maps.png", 3, 2, 0);
+    const raster::Image panel = linear_panel("53_brdf_map/maps", 3, 2, 0);
     const auto energy = [&](int x, int y) { return panel.at(0, x, y) + panel.at(1, x, y); };
     const int middle = panel.width / 2;
     CHECK(energy(middle, 56) > 0.9f);                               // roughness 0.2, above the caption
@@ -387,7 +387,7 @@ TEST_CASE("54_split_sum: the integral is that of the sky's formula and the split
 }
 
 TEST_CASE("54_split_sum: the difference is that of the two pictures four times as bright") {
-    const auto panel = [](int i) { return linear_panel("54_split_sum/balls.png", 2, 2, i); };
+    const auto panel = [](int i) { return linear_panel("54_split_sum/balls", 2, 2, i); };
     const raster::Image split = panel(0), exact = panel(1), difference = panel(2);
     int compared = 0;
     for (int y = 0; y < split.height - 14; ++y) {  // above the captions
@@ -406,7 +406,7 @@ TEST_CASE("54_split_sum: the difference is that of the two pictures four times a
 TEST_CASE("54_split_sum: on the floor the sun is a streak and the split sum makes it a disc") {
     double ratio[2];
     for (int i = 0; i < 2; ++i) {
-        const raster::Image image = linear_panel("54_split_sum/floor.png", 2, 1, i);
+        const raster::Image image = linear_panel("54_split_sum/floor", 2, 1, i);
         constexpr int kHorizon = 62;
         float brightest = 0.0f;
         for (int y = kHorizon; y < image.height - 14; ++y) {

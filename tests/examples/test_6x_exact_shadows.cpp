@@ -115,7 +115,7 @@ int counted(const raster::Image& picture, int x, int y) {
 
 /// Share of red and blue pixels of a panel of 67_methods_compared among those that see something, in percent.
 double wrong_in_panel(int panel) {
-    const raster::Image picture = linear_panel("67_methods_compared/errors.png", 3, 2, panel);
+    const raster::Image picture = linear_panel("67_methods_compared/errors", 3, 2, panel);
     int wrong = 0, seen = 0;
     for (int y = 0; y < picture.height; ++y) {
         for (int x = 0; x < picture.width; ++x) {
@@ -373,7 +373,7 @@ TEST_CASE("65 shadow volumes: what is wrong away from edges lies within the snap
 TEST_CASE("66 irregular z-buffer: its edges are where they are by hand and the map's are not") {
     const glm::ivec2 size = examples::panel_size(320, 180, 2, 1);
     const View view{{1.7, 2.2, 4.0}, {-0.75, 0.05, 0.1}, 17.0, size.x, size.y};
-    const raster::Image picture = golden("66_irregular_z_buffer/edges.png");
+    const raster::Image picture = golden_montage("66_irregular_z_buffer/edges", 2);
     int seen = 0;
     CHECK(wrong_on_table(picture, view, size.x + 4, 0.25, 14, seen) == 0);
     CHECK(wrong_on_table(picture, view, 0, 0.25, 14, seen) > 30);

@@ -40,7 +40,7 @@ double mean(std::span<const float> values) {
 }  // namespace
 
 TEST_CASE("60_depth_from_the_light: the factor in the picture is that of rays but for one pixel in a hundred") {
-    const raster::Image panel = linear_panel("60_depth_from_the_light/steps.png", 2, 2, 2);
+    const raster::Image panel = linear_panel("60_depth_from_the_light/steps", 2, 2, 2);
     const auto exact = by_rays(examples::sunny_table({panel.width, panel.height}));
     int wrong = 0, looked_at = 0;
     for (int y = 0; y < panel.height - 14; ++y) {  // above the caption

@@ -17,7 +17,7 @@ constexpr float kCode = 2.3f / 255.0f;  ///< one code of sRGB's 8 bits near whit
 }  // namespace
 
 TEST_CASE("70_hdr_tone_mapping: every panel is the operator applied to the radiance of the second") {
-    const auto panel = [](int i) { return linear_panel("70_hdr_tone_mapping/tone_mapping.png", 3, 2, i); };
+    const auto panel = [](int i) { return linear_panel("70_hdr_tone_mapping/tone_mapping", 3, 2, i); };
     const raster::Image dark = panel(0), plain = panel(1), reinhard = panel(3), extended = panel(4);
     int compared = 0;
     for (int y = 0; y < 72; ++y) {  // above the captions
@@ -35,8 +35,8 @@ TEST_CASE("70_hdr_tone_mapping: every panel is the operator applied to the radia
 }
 
 TEST_CASE("70_hdr_tone_mapping: the lamp is white in the extended operator and not in the plain one") {
-    const raster::Image plain = linear_panel("70_hdr_tone_mapping/tone_mapping.png", 3, 2, 3);
-    const raster::Image extended = linear_panel("70_hdr_tone_mapping/tone_mapping.png", 3, 2, 4);
+    const raster::Image plain = linear_panel("70_hdr_tone_mapping/tone_mapping", 3, 2, 3);
+    const raster::Image extended = linear_panel("70_hdr_tone_mapping/tone_mapping", 3, 2, 4);
     const glm::vec3 lamp(30.0f, 24.6f, 16.5f);  // twice that after the exposure
     const glm::vec3 shown = plain.rgb(8, 23);
     for (int c = 0; c < 3; ++c) CHECK(std::abs(shown[c] - 2.0f * lamp[c] / (1.0f + 2.0f * lamp[c])) < kCode);
@@ -47,7 +47,7 @@ TEST_CASE("70_hdr_tone_mapping: the lamp is white in the extended operator and n
 }
 
 TEST_CASE("71_gamma: the encoded window sends as much light as the checkerboard around it") {
-    const raster::Image panel = linear_panel("71_gamma/gamma.png", 2, 2, 0);
+    const raster::Image panel = linear_panel("71_gamma/gamma", 2, 2, 0);
     double checkerboard = 0.0;
     for (int y = 0; y < 10; ++y) {
         for (int x = 0; x < 100; ++x) checkerboard += panel.at(1, x, y) / 1000.0;
@@ -73,7 +73,7 @@ TEST_CASE("71_gamma: the numbers of the page") {
 }
 
 TEST_CASE("71_gamma: the steps of light are even where they are encoded and not where they are written as they are") {
-    const raster::Image panel = linear_panel("71_gamma/gamma.png", 2, 2, 1);
+    const raster::Image panel = linear_panel("71_gamma/gamma", 2, 2, 1);
     for (int i = 0; i < 12; ++i) {
         CAPTURE(i);
         const int x = (2 * i + 1) * panel.width / 24;

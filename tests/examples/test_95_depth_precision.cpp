@@ -94,7 +94,7 @@ TEST_CASE("95_depth_precision: a reversed float tells surfaces apart to one part
 }
 
 TEST_CASE("95_depth_precision: carpets vanish where a step is larger than their gap") {
-    const auto panel = [](int i) { return linear_panel("95_depth_precision/carpets.png", 2, 2, i); };
+    const auto panel = [](int i) { return linear_panel("95_depth_precision/carpets", 2, 2, i); };
     const raster::Image bits24 = panel(1), reversed = panel(3);
     double everywhere = 0.0, kept = 0.0;
     for (int y = 30; y < 65; ++y) {  // near rows: z < 100, where a gap of 0.1 % is more than a step

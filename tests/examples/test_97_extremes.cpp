@@ -15,7 +15,7 @@ using namespace kreda;
 using namespace kreda::tests;
 
 TEST_CASE("97_extremes: the printed highlight falls in a few steps and the arranged one smoothly") {
-    const raster::Image both = golden("97_extremes/highlight.png");
+    const raster::Image both = golden_montage("97_extremes/highlight", 2);
     // From the middle of a panel to the right, above its caption: how often neighbours differ.
     const auto steps = [&](int first) {
         const int last = first + both.width / 2 - 8, y = both.height / 2;

@@ -4,7 +4,7 @@
 #include <doctest/doctest.h>
 
 #include "tests/scene/temp_folder.hpp"
-#include "tools/measure/gnuplot.hpp"
+#include "tools/draw/gnuplot.hpp"
 #include "tools/measure/measure.hpp"
 #include "tools/measure/paired_times.hpp"
 #include "tools/measure/picture.hpp"
@@ -97,7 +97,7 @@ TEST_CASE("measure: Schlick misses what was published and a table errs as the sq
 TEST_CASE(
     "measure: the plots' names in a script are quoted and a point that a logarithm has no place for is left out") {
     const Plot plot{"x's", "y", true, true, {{"it's", {{1.0, 2.0}, {0.0, 1.0}}}}, true};
-    const std::string script = gnuplot_script(plot, "t", "svg", "f'g.svg");
+    const std::string script = gnuplot_script(plot, "t", "f'g");
     CHECK(script.find("'it''s'") != std::string::npos);
     CHECK(script.find("'f''g.svg'") != std::string::npos);
     CHECK(script.find("0 1\n") == std::string::npos);

@@ -77,7 +77,7 @@ Image side_by_side(const Comparison& comparison, const Image& actual, const Imag
     Image board = make_board(width, height + kCaption + kGap);
     int x = kGap;
     for (const auto& [caption, panel] : panels) {
-        draw_text(board, x, kGap, caption, kChalk, kScale);
+        draw_text(board, {x, kGap}, caption, kChalk, kScale);
         x += panel.width + kGap;
     }
     board = raster::develop(board, {});

@@ -8,7 +8,8 @@
 
 #include "raster/film.hpp"
 #include "raster/screen.hpp"
-#include "tools/draw/font.hpp"
+#include "tools/draw/markup.hpp"
+#include "tools/draw/type.hpp"
 
 namespace kreda::tools {
 
@@ -114,95 +115,25 @@ void draw_triangle_outline(Image& image, const glm::vec2 (&corner)[3], float wid
     for (int i = 0; i < 3; ++i) draw_line(image, corner[i], corner[(i + 1) % 3], width, color);
 }
 
-void draw_text(Image& image, int x, int y, std::string_view text, const glm::vec3& color, int scale) {
-    for (const char character : text) {
-        const bool printable = character >= ' ' && character <= '~';
-        const Glyph& glyph = kFont[static_cast<std::size_t>((printable ? character : '?') - ' ')];
-        const bool descends = std::string_view("gjpqy").find(character) != std::string_view::npos;
-        const int top = descends ? y + kDescent * scale : y;
-        for (int row = 0; row < kGlyphHeight; ++row) {
-            for (int column = 0; column < kGlyphWidth; ++column) {
-                if ((glyph[row] >> (kGlyphWidth - 1 - column) & 1) == 0) continue;
-                fill_rectangle(image, x + column * scale, top + row * scale, scale, scale, color);
-            }
-        }
-        x += kGlyphAdvance * scale;
-    }
-}
-
 namespace {
 
-struct Stroke {
-    glm::vec2 from, to;
-};
-
-/// Neighbouring dots of a glyph become strokes; diagonal ones only where no corner joins them. In dots, the first at 0,
-/// 0.
-std::vector<Stroke> strokes_of(const Glyph& glyph) {
-    const auto dot = [&](int row, int column) {
-        const bool inside = row >= 0 && row < kGlyphHeight && column >= 0 && column < kGlyphWidth;
-        return inside && (glyph[static_cast<std::size_t>(row)] >> (kGlyphWidth - 1 - column) & 1) != 0;
-    };
-    std::vector<Stroke> strokes;
-    for (int row = 0; row < kGlyphHeight; ++row) {
-        for (int column = 0; column < kGlyphWidth; ++column) {
-            if (!dot(row, column)) continue;
-            const glm::vec2 here(column, row);
-            const auto stroke = [&](int down, int right) { strokes.push_back({here, here + glm::vec2(right, down)}); };
-            const bool right = dot(row, column + 1), below = dot(row + 1, column), left = dot(row, column - 1);
-            stroke(0, 0);
-            if (right) stroke(0, 1);
-            if (below) stroke(1, 0);
-            if (!right && !below && dot(row + 1, column + 1)) stroke(1, 1);
-            if (!left && !below && dot(row + 1, column - 1)) stroke(1, -1);
-        }
-    }
-    return strokes;
-}
-
-/// All strokes of a glyph at once, so that nothing shows where they overlap.
-void draw_strokes(Image& image, glm::vec2 first_dot, const Glyph& glyph, float scale, const glm::vec3& color) {
-    const float radius = 0.525f * scale;
-    const std::vector<Stroke> strokes = strokes_of(glyph);
-    const Box box =
-        box_of(image, first_dot - radius, first_dot + scale * glm::vec2(kGlyphWidth, kGlyphHeight) + radius);
-    for (int y = box.y0; y < box.y1; ++y) {
-        for (int x = box.x0; x < box.x1; ++x) {
-            const glm::vec2 p = (glm::vec2(x, y) + 0.5f - first_dot) / scale;
-            float nearest = 1e9f;
-            for (const Stroke& s : strokes) nearest = std::min(nearest, distance_to_segment(p, s.from, s.to));
-            blend(image, x, y, color, std::clamp(radius + 0.5f - nearest * scale, 0.0f, 1.0f));
-        }
-    }
+/// Size of the em square whose capitals are 7 `scale` pixels high.
+float em_of(float scale) {
+    return 7.0f * scale / kCapitals;
 }
 
 }  // namespace
 
-void draw_large_text(Image& image, glm::vec2 corner, std::string_view text, const glm::vec3& color, float scale) {
-    for (const char character : text) {
-        const bool printable = character >= ' ' && character <= '~';
-        const bool descends = std::string_view("gjpqy").find(character) != std::string_view::npos;
-        const glm::vec2 drop(0.5f * scale, (descends ? kDescent + 0.5f : 0.5f) * scale);
-        draw_strokes(image, corner + drop, kFont[static_cast<std::size_t>((printable ? character : '?') - ' ')], scale,
-                     color);
-        corner.x += kGlyphAdvance * scale;
-    }
+void draw_text(Image& image, glm::vec2 corner, std::string_view text, const glm::vec3& color, float scale) {
+    draw_type(image, corner + glm::vec2(0.0f, 7.0f * scale), plain_markup(text), color, em_of(scale));
 }
 
 float text_width(std::string_view text, float scale) {
-    return (static_cast<float>(text.size()) * kGlyphAdvance - 1.0f) * scale;
+    return type_width(plain_markup(text), em_of(scale));
 }
 
 int text_scale(int picture_height) {
     return std::max(1, picture_height / 180);
-}
-
-void draw_caption(Image& image, std::string_view text, int scale, const glm::vec3& color) {
-    const int margin = 3 * scale;
-    const int width = static_cast<int>(text.size()) * kGlyphAdvance * scale - scale + 2 * margin;
-    const int height = kGlyphHeight * scale + 2 * margin;
-    fill_rectangle(image, 0, image.height - height, width, height, kBoard);
-    draw_text(image, margin, image.height - height + margin, text, color, scale);
 }
 
 Image enlarge(const Image& image, int factor) {
@@ -263,15 +194,19 @@ glm::ivec2 panel_size(int width, int height, int columns, int rows) {
     return {(width - (columns - 1) * kGap) / columns, (height - (rows - 1) * kGap) / rows};
 }
 
-Image montage(int width, int height, int columns, const std::vector<Image>& panels) {
-    const int rows = (static_cast<int>(panels.size()) + columns - 1) / columns;
+glm::ivec2 panel_corner(int width, int height, int columns, int index, std::size_t count, glm::ivec2 panel) {
+    const int rows = (static_cast<int>(count) + columns - 1) / columns;
     const glm::ivec2 cell = panel_size(width, height, columns, rows);
+    const glm::ivec2 corner = glm::ivec2(index % columns, index / columns) * (cell + kGap);
+    return corner + (cell - panel) / 2;
+}
+
+Image montage(int width, int height, int columns, const std::vector<Image>& panels) {
     Image whole = make_board(width, height, kSlate);
-    for (int i = 0; i < static_cast<int>(panels.size()); ++i) {
-        const Image& panel = panels[i];
-        const int left = i % columns * (cell.x + kGap);
-        const int top = i / columns * (cell.y + kGap);
-        paste(whole, panel, left + (cell.x - panel.width) / 2, top + (cell.y - panel.height) / 2);
+    for (std::size_t i = 0; i < panels.size(); ++i) {
+        const glm::ivec2 corner = panel_corner(width, height, columns, static_cast<int>(i), panels.size(),
+                                               {panels[i].width, panels[i].height});
+        paste(whole, panels[i], corner.x, corner.y);
     }
     return whole;
 }

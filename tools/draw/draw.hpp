@@ -3,6 +3,7 @@
 // off.
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 #include <span>
 #include <string_view>
@@ -50,19 +51,14 @@ void draw_disc(Image& image, glm::vec2 center, float radius, const glm::vec3& co
 void fill_triangle(Image& image, const glm::vec2 (&corner)[3], const glm::vec3& color);
 void draw_triangle_outline(Image& image, const glm::vec2 (&corner)[3], float width, const glm::vec3& color);
 
-/// Dot text (ASCII); every dot is scale x scale pixels, a line is 7 of them high, a character 6 wide.
-void draw_text(Image& image, int x, int y, std::string_view text, const glm::vec3& color, int scale);
-
-/// The same letters with smooth strokes, for slides; `corner` is the upper left one of the first letter.
-void draw_large_text(Image& image, glm::vec2 corner, std::string_view text, const glm::vec3& color, float scale);
-/// How wide a line of text is, in pixels.
+/// A line of plain UTF-8; `corner` is the upper left one of its first capital letter, capitals are 7 `scale` pixels
+/// high. tools/draw/type.hpp has more: formulas, sizes, boxes.
+void draw_text(Image& image, glm::vec2 corner, std::string_view text, const glm::vec3& color, float scale);
+/// How wide it is, in pixels.
 [[nodiscard]] float text_width(std::string_view text, float scale);
 
 /// The scale at which a caption is readable from the last row: 2 for a picture of 360 lines.
 [[nodiscard]] int text_scale(int picture_height);
-
-/// Text on a dark strip in the lower left corner.
-void draw_caption(Image& image, std::string_view text, int scale, const glm::vec3& color = kChalk);
 
 /// Every pixel becomes factor x factor pixels.
 [[nodiscard]] Image enlarge(const Image& image, int factor);
@@ -79,6 +75,10 @@ void paste(Image& onto, const Image& image, int x, int y);
 
 /// Room for one of columns x rows panels on a picture of that size, with a thin gap between them.
 [[nodiscard]] glm::ivec2 panel_size(int width, int height, int columns, int rows);
+
+/// Where panel `index` of `count`, of this size, comes to lie in a montage: in the middle of its cell.
+[[nodiscard]] glm::ivec2 panel_corner(int width, int height, int columns, int index, std::size_t count,
+                                      glm::ivec2 panel);
 
 /// Panels side by side, row by row, each in the middle of its cell.
 [[nodiscard]] Image montage(int width, int height, int columns, const std::vector<Image>& panels);

@@ -35,7 +35,7 @@ void write_line(Image& slide, const std::string& text, int top, float largest, c
     if (text.empty()) return;
     const float room = kSlideWidth - 2 * kMargin;
     const float scale = std::min(largest, largest * room / text_width(text, largest));
-    draw_large_text(slide, {0.5f * (kSlideWidth - text_width(text, scale)), top}, text, color, scale);
+    draw_text(slide, {0.5f * (kSlideWidth - text_width(text, scale)), top}, text, color, scale);
 }
 
 /// The first heading of a Markdown page, or "".
@@ -49,18 +49,6 @@ std::string heading_of(const fs::path& page) {
 bool is_example_name(const std::string& name) {
     return name.size() > 3 && std::isdigit(static_cast<unsigned char>(name[0])) &&
            std::isdigit(static_cast<unsigned char>(name[1])) && name[2] == '_';
-}
-
-/// Letters that the font has.
-std::string ascii(const std::string& text) {
-    std::string plain;
-    for (const char c : text) {
-        if (c >= ' ' && c <= '~')
-            plain += c;
-        else if ((static_cast<unsigned char>(c) & 0xc0u) != 0x80u)
-            plain += '?';
-    }
-    return plain;
 }
 
 }  // namespace
@@ -90,9 +78,9 @@ void fit_to_slide(scene::ImageSettings& image) {
 Image make_slide(const Image& picture, const SlideText& text, SlideGround ground) {
     const SlideColors colors = colors_of(ground);
     Image slide = make_board(kSlideWidth, kSlideHeight, colors.ground);
-    write_line(slide, ascii(text.title), 44, 7.0f, colors.text);
-    write_line(slide, ascii(text.caption), 930, 6.0f, colors.text);
-    write_line(slide, ascii(text.remark), 1010, 4.0f, colors.remark);
+    write_line(slide, text.title, 44, 7.0f, colors.text);
+    write_line(slide, text.caption, 930, 6.0f, colors.text);
+    write_line(slide, text.remark, 1010, 4.0f, colors.remark);
     slide = develop(slide, {});
     const glm::ivec2 corner = slide_picture_corner({picture.width, picture.height});
     paste(slide, picture, corner.x, corner.y);

@@ -18,7 +18,7 @@ enum class SlideGround { dark, light };
 /// "dark" or "light". Throws UserError.
 [[nodiscard]] SlideGround slide_ground(const std::string& word);
 
-/// ASCII; what does not fit is written smaller.
+/// UTF-8; what does not fit is written smaller.
 struct SlideText {
     std::string title;
     std::string caption;

@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include <glm/vec2.hpp>
+#include "tools/draw/plot.hpp"
 
 namespace kreda::tools {
 
@@ -27,18 +27,6 @@ struct ResultTable {
 /// The table as RFC 4180 has it, a line a row, the first of the names; and the other way round.
 [[nodiscard]] std::string csv_of(const ResultTable& table);
 [[nodiscard]] ResultTable table_of_csv(const std::string& csv);
-
-struct Series {
-    std::string name;
-    std::vector<glm::dvec2> points;
-};
-
-struct Plot {
-    std::string x, y;  ///< what the axes show, with units
-    bool log_x = false, log_y = false;
-    std::vector<Series> series;
-    bool lines = true;  ///< from point to point
-};
 
 struct Finding {
     ResultTable table;

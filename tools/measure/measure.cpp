@@ -4,7 +4,7 @@
 #include <iostream>
 
 #include "scene/files/hash_of_bytes.hpp"
-#include "tools/measure/gnuplot.hpp"
+#include "tools/draw/gnuplot.hpp"
 #include "tools/progress_bar.hpp"
 #include "tools/scene_options.hpp"
 #include "tools/write_file.hpp"

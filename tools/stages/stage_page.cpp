@@ -143,7 +143,7 @@ Image contact_sheet(const std::string& title, const std::vector<Image>& thumbnai
     const int columns = std::min(kColumns, std::max(count, 1));
     Image sheet = make_board(columns * cell_width + kGap, kTitle + (count + columns - 1) / columns * cell_height);
     const float room = static_cast<float>(sheet.width - 2 * kGap);
-    draw_large_text(sheet, {kGap, 20.0f}, title, kChalk, std::min(3.5f, 3.5f * room / text_width(title, 3.5f)));
+    draw_text(sheet, {kGap, 20.0f}, title, kChalk, std::min(3.5f, 3.5f * room / text_width(title, 3.5f)));
     const auto corner = [&](int i) {
         return glm::ivec2(kGap + i % columns * cell_width, kTitle + i / columns * cell_height);
     };
@@ -152,7 +152,7 @@ Image contact_sheet(const std::string& title, const std::vector<Image>& thumbnai
         std::snprintf(number, sizeof number, "%02d ", i + 1);
         const std::string text = number + titles[static_cast<std::size_t>(i)];
         const float scale = std::min(2.2f, 2.2f * static_cast<float>(width) / text_width(text, 2.2f));
-        draw_large_text(sheet, glm::vec2(corner(i)) + glm::vec2(0.0f, height + 6.0f), text, kChalk, scale);
+        draw_text(sheet, glm::vec2(corner(i)) + glm::vec2(0.0f, height + 6.0f), text, kChalk, scale);
     }
     sheet = develop(sheet, {});
     for (int i = 0; i < count; ++i) paste(sheet, thumbnails[static_cast<std::size_t>(i)], corner(i).x, corner(i).y);

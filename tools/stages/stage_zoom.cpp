@@ -136,8 +136,8 @@ void name_vertex(const Lens& lens, std::int32_t x, std::int32_t y, FreeRoom& roo
     if (!room.take(corner, size)) return;
     fill_rectangle(image, static_cast<int>(corner.x) - 4, static_cast<int>(corner.y) - 4, static_cast<int>(size.x) + 8,
                    static_cast<int>(size.y) + 6, kBoard);
-    draw_large_text(image, corner, lines[0], kYellow, letters);
-    draw_large_text(image, corner + glm::vec2(0.0f, 11.0f * letters), lines[1], kYellow, letters);
+    draw_text(image, corner, lines[0], kYellow, letters);
+    draw_text(image, corner + glm::vec2(0.0f, 11.0f * letters), lines[1], kYellow, letters);
 }
 
 void draw_vertices(const Lens& lens, const std::vector<ScreenTriangle>& triangles, Image& image) {

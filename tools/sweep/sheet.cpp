@@ -12,9 +12,9 @@ namespace {
 
 constexpr int kGap = 8;
 
-/// Where things lie, in pixels: letters are a thirtieth of the sheet's height at least, 7 dots high.
+/// Where things lie, in pixels: letters are capitals a thirtieth of the sheet's height.
 struct Layout {
-    int scale = 2;       ///< of the letters
+    float scale = 2.0f;  ///< of the letters
     int line = 0;        ///< height of a line of text
     int left = 0;        ///< room for the rows' headings
     int top = 0;         ///< room for the columns' headings
@@ -22,19 +22,24 @@ struct Layout {
     glm::ivec2 picture;  ///< size of a picture
 };
 
-std::size_t longest(const std::vector<std::string>& texts) {
-    std::size_t length = 0;
-    for (const std::string& text : texts) length = std::max(length, text.size());
-    return length;
+/// Width of the widest text, in pixels.
+int widest(const std::vector<std::string>& texts, float scale) {
+    float width = 0.0f;
+    for (const std::string& text : texts) width = std::max(width, text_width(text, scale));
+    return static_cast<int>(std::ceil(width));
+}
+
+bool any_text(const std::vector<std::string>& texts) {
+    return std::any_of(texts.begin(), texts.end(), [](const std::string& text) { return !text.empty(); });
 }
 
 Layout layout_for(const Sheet& sheet, int sheet_height) {
     Layout layout;
-    layout.scale = std::max(1, static_cast<int>(std::lround(sheet_height / 30.0 / 7.0)));
-    layout.line = 11 * layout.scale;
-    const int letters = static_cast<int>(std::max(longest(sheet.rows), sheet.row_key.size()));
-    layout.left = letters > 0 ? 6 * layout.scale * letters + 2 * kGap : 0;
-    const int lines = (sheet.column_key.empty() ? 0 : 1) + (longest(sheet.columns) > 0 ? 1 : 0);
+    layout.scale = std::max(1.0f, static_cast<float>(sheet_height) / (30.0f * 7.0f));
+    layout.line = static_cast<int>(std::lround(11.0f * layout.scale));
+    const int heading = std::max(widest(sheet.rows, layout.scale), widest({sheet.row_key}, layout.scale));
+    layout.left = heading > 0 ? heading + 2 * kGap : 0;
+    const int lines = (sheet.column_key.empty() ? 0 : 1) + (any_text(sheet.columns) ? 1 : 0);
     layout.top = std::max(lines, sheet.row_key.empty() ? 0 : 1) * layout.line;
     layout.below = sheet.remarks.empty() ? 0 : layout.line;
     return layout;
@@ -54,25 +59,27 @@ glm::ivec2 corner_of(const Layout& layout, int column, int row) {
 /// In the middle of a picture's width; smaller where it is too long.
 void write_centred(Image& image, const Layout& layout, int column, int y, const std::string& text,
                    const glm::vec3& color) {
-    const int letters = static_cast<int>(text.size());
-    if (letters == 0) return;
-    const int scale = std::clamp(layout.picture.x / (6 * letters), 1, layout.scale);
-    const int x = corner_of(layout, column, 0).x + (layout.picture.x - 6 * scale * letters) / 2;
-    draw_text(image, x, y, text, color, scale);
+    const auto room = static_cast<float>(layout.picture.x);
+    const float width = text_width(text, layout.scale);
+    if (width == 0.0f) return;
+    const float share = std::min(1.0f, room / width);
+    const float x = static_cast<float>(corner_of(layout, column, 0).x) + 0.5f * (room - share * width);
+    draw_text(image, {x, y}, text, color, share * layout.scale);
 }
 
 void write_headings(Image& image, const Sheet& sheet, const Layout& layout) {
-    const int padding = 2 * layout.scale;
+    const int padding = static_cast<int>(2.0f * layout.scale);
     if (!sheet.column_key.empty())
-        draw_text(image, corner_of(layout, 0, 0).x, padding, sheet.column_key, kDust, layout.scale);
+        draw_text(image, {corner_of(layout, 0, 0).x, padding}, sheet.column_key, kDust, layout.scale);
     for (std::size_t c = 0; c < sheet.columns.size(); ++c) {
         write_centred(image, layout, static_cast<int>(c), layout.top - layout.line + padding, sheet.columns[c], kChalk);
     }
     if (!sheet.row_key.empty())
-        draw_text(image, kGap, layout.top - layout.line + padding, sheet.row_key, kDust, layout.scale);
+        draw_text(image, {kGap, layout.top - layout.line + padding}, sheet.row_key, kDust, layout.scale);
     for (std::size_t r = 0; r < sheet.rows.size(); ++r) {
-        const int y = corner_of(layout, 0, static_cast<int>(r)).y + (layout.picture.y - 7 * layout.scale) / 2;
-        draw_text(image, kGap, y, sheet.rows[r], kChalk, layout.scale);
+        const int y = corner_of(layout, 0, static_cast<int>(r)).y +
+                      (layout.picture.y - static_cast<int>(7.0f * layout.scale)) / 2;
+        draw_text(image, {kGap, y}, sheet.rows[r], kChalk, layout.scale);
     }
 }
 
@@ -98,7 +105,7 @@ raster::Image draw_sheet(const Sheet& sheet) {
     const int columns = static_cast<int>(sheet.columns.size());
     for (std::size_t i = 0; i < sheet.remarks.size(); ++i) {
         const int column = static_cast<int>(i) % columns, row = static_cast<int>(i) / columns;
-        const int y = corner_of(layout, column, row).y + layout.picture.y + 2 * layout.scale;
+        const int y = corner_of(layout, column, row).y + layout.picture.y + static_cast<int>(2.0f * layout.scale);
         write_centred(image, layout, column, y, sheet.remarks[i], kDust);
     }
     image = raster::develop(image, {});

@@ -54,9 +54,9 @@ void draw_axes(Image& image, const Axes& axes, const std::string& unit) {
     const glm::vec2 corner = axes.place(axes.least_cost, axes.least_error);
     draw_line(image, corner, axes.place(axes.most_cost, axes.least_error), 2.0f, kSlate);
     draw_line(image, corner, axes.place(axes.least_cost, axes.most_error), 2.0f, kSlate);
-    draw_text(image, kMargin, kHeight - 24,
+    draw_text(image, {kMargin, kHeight - 24},
               "cost " + digits(axes.least_cost) + " to " + digits(axes.most_cost) + " " + unit, kDust, 2);
-    draw_text(image, kMargin, 12, "predicted error [codes], up to " + digits(axes.most_error), kDust, 2);
+    draw_text(image, {kMargin, 12}, "predicted error [codes], up to " + digits(axes.most_error), kDust, 2);
 }
 
 }  // namespace
@@ -83,7 +83,7 @@ Image front_picture(const SceneSource& source, const Tuned& tuned, const TuneOpt
     for (const KnapsackChoice& choice : tuned.front)
         draw_disc(image, axes.place(choice.cost, choice.error), 3.0f, kBlue);
     draw_disc(image, axes.place(std::max(tuned.choice.cost, axes.least_cost), tuned.choice.error), 7.0f, kOrange);
-    draw_text(image, kWidth - 260, kHeight - 24, "orange: the choice", kOrange, 2);
+    draw_text(image, {kWidth - 260, kHeight - 24}, "orange: the choice", kOrange, 2);
     return image;
 }
 
@@ -114,8 +114,8 @@ Image attribution_picture(const std::vector<Term>& terms, const std::vector<std:
     const int scale = text_scale(height);
     for (std::size_t s = 0; s < spenders.size(); ++s) {
         const std::string mean = fixed(sums[spenders[s]] / (static_cast<double>(width) * height), 2);
-        draw_text(image, 4, 4 + static_cast<int>(s) * 9 * scale, terms[spenders[s]].name + " " + mean, colors()[s],
-                  scale);
+        const glm::vec2 corner(4, 4 + static_cast<int>(s) * 11 * scale);
+        draw_text(image, corner, terms[spenders[s]].name + " " + mean, colors()[s], static_cast<float>(scale));
     }
     return image;
 }

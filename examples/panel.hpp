@@ -1,0 +1,60 @@
+// What an example shows: panels, each what was computed and what is written on it, side by side in one picture.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "examples/draw.hpp"
+#include "tools/draw/type.hpp"
+
+namespace kreda::examples {
+
+/// Text anywhere on a panel, with the markup of tools/draw/markup.hpp. `start` is where its baseline begins, in pixels;
+/// `size` is that of the em square.
+struct Label {
+    glm::vec2 start{0.0f};
+    std::string text;
+    glm::vec3 color = kChalk;
+    float size = 0.0f;
+};
+
+/// `image` holds what was computed, in linear RGB, without any text: golden images are made of it.
+struct Panel {
+    Panel(Image computed, std::string text = {}) : image(std::move(computed)), caption(std::move(text)) {}
+
+    Image image;
+    std::string caption;  ///< in the lower left corner; also the name of its file
+    std::vector<Label> labels;
+    bool is_computed = true;  ///< false: a plot, a table, an empty place. It has no golden image
+};
+
+/// Images and their captions, one each.
+[[nodiscard]] std::vector<Panel> with_captions(std::vector<Image> images, const std::vector<std::string>& captions);
+
+/// A place that stays empty.
+[[nodiscard]] Panel empty_panel(glm::ivec2 size);
+
+/// The size of captions on a picture of this height; what does not fit in its panel is set smaller, down to the least
+/// size, and then in two lines.
+[[nodiscard]] float caption_size(int picture_height);
+
+/// A text of a picture, and where it stands.
+struct TextBox {
+    std::string text;
+    tools::TypeBox box;
+    float size = 0.0f;
+};
+
+/// A picture, linear RGB, and all the texts on it.
+struct Composition {
+    Image image;
+    std::vector<TextBox> texts;
+};
+
+/// Panels side by side, row by row, each in the middle of its cell, then their texts.
+[[nodiscard]] Composition compose(glm::ivec2 size, int columns, const std::vector<Panel>& panels);
+
+/// The file's name of a panel without its ending: its number from 1 and its caption, "2_point_1_d_2".
+[[nodiscard]] std::string panel_name(std::size_t index, const Panel& panel);
+
+}  // namespace kreda::examples
