@@ -30,7 +30,7 @@ std::string square(float height, const std::string& more = "") {
 }
 
 /// The light's picture of a scene.
-raster::Image draw(const Scene& scene) {
+raster::Image draw_depth(const Scene& scene) {
     RenderBuffers buffers;
     const RenderPlan plan = make_plan(scene);
     REQUIRE(can_show(plan, scene, light_depth_view()));
@@ -51,8 +51,8 @@ std::vector<float> of_casters(const raster::Image& distances) {
 TEST_CASE("light depth: parallel rays meet two squares a unit apart at distances a unit apart") {
     // The upper one covers a quarter of the lower one's picture.
     const raster::Image map =
-        draw(over_a_floor("direction = [0, -1, 0]",
-                          square(1.0f) + "[[object]]\nmesh = \"plane\"\nscale = 0.25\ntranslate = [0, 2, 0]\n"));
+        draw_depth(over_a_floor("direction = [0, -1, 0]",
+                                square(1.0f) + "[[object]]\nmesh = \"plane\"\nscale = 0.25\ntranslate = [0, 2, 0]\n"));
     CHECK(map.width == kSize);
     CHECK(map.height == kSize);
     const std::vector<float> found = of_casters(map);
@@ -68,7 +68,7 @@ TEST_CASE("light depth: parallel rays meet two squares a unit apart at distances
 
 TEST_CASE("light depth: a lamp two units above a square sees it at two on its lower face and nothing on the others") {
     const Scene scene = over_a_floor("type = \"point\"\nposition = [0, 3, 0]", square(1.0f));
-    const raster::Image map = draw(scene);
+    const raster::Image map = draw_depth(scene);
     CHECK(map.width == 6 * kSize);
     const float tangent = make_plan(scene).shadows.at(0).map.views.at(3).half_size.x;
     const double side = kSize * 0.25 / double{tangent};  // half a unit at distance 2
@@ -89,7 +89,7 @@ TEST_CASE("light depth: a spot sees a tilted square where its plane is") {
     // (d X, 3 - d, ..) and meets it at d = 2 / (1 + X tan 30). The light looks down, up is -z as far as it can be +y.
     const Scene scene = over_a_floor("type = \"spot\"\nposition = [0, 3, 0]\ndirection = [0, -1, 0]\ncone = [30, 40]",
                                      square(1.0f, "rotate = [0, 0, 30]\n"));
-    const raster::Image map = draw(scene);
+    const raster::Image map = draw_depth(scene);
     const shadows::LightView view = make_plan(scene).shadows.at(0).map.views.at(0);
     const glm::vec3 right(view.view_from_world[0].x, view.view_from_world[1].x, view.view_from_world[2].x);
     const glm::vec3 up(view.view_from_world[0].y, view.view_from_world[1].y, view.view_from_world[2].y);
@@ -109,7 +109,7 @@ TEST_CASE("light depth: a spot sees a tilted square where its plane is") {
 
 TEST_CASE("light depth: the picture runs from black to white and is white where nothing casts") {
     const Scene scene = over_a_floor("direction = [0, -1, 0]", square(1.0f, "rotate = [0, 0, 30]\n"));
-    const raster::Image map = draw(scene);
+    const raster::Image map = draw_depth(scene);
     const ViewPicture picture = picture_of(light_depth_view(), map, scene);
     const std::vector<float> found = of_casters(map);
     CHECK(picture.ranges.at(0).least == *std::min_element(found.begin(), found.end()));

@@ -47,7 +47,7 @@ const std::string kFront =
     "[image]\nsize = [96, 96]\n[camera]\nposition = [0, 0, 3]\nprojection = 'orthographic'\nheight = 2\n"
     "[[light]]\ntype = 'point'\nposition = [0.3, 0.2, 1]\n";
 
-Scene read_in(const TempFolder& folder, const std::string& more) {
+Scene read_parts_in(const TempFolder& folder, const std::string& more) {
     return read_scene_text(kFront + more, "s.toml", folder.path.string());
 }
 
@@ -72,8 +72,8 @@ TEST_CASE("many parts: a picture of eight materials in one mesh is that of eight
         const std::string shading = "[shading]\nfrequency = '" + std::string(frequency) + "'\n";
         std::string eight = shading;
         for (int m = 0; m < 8; ++m) eight += "[[object]]\nmesh = 'm" + std::to_string(m) + ".obj'\n";
-        const raster::Image one_mesh = render(read_in(folder, shading + "[[object]]\nmesh = 'all.obj'\n"));
-        CHECK(one_mesh.values == render(read_in(folder, eight)).values);
+        const raster::Image one_mesh = render(read_parts_in(folder, shading + "[[object]]\nmesh = 'all.obj'\n"));
+        CHECK(one_mesh.values == render(read_parts_in(folder, eight)).values);
     }
 }
 
@@ -82,7 +82,7 @@ TEST_CASE("many parts: chunks hold parts of any size, and hidden ones draw nothi
     folder.write("a.mtl", materials(2));
     folder.write("all.obj", quads(64, [](int k) { return "g part" + std::to_string(k) + "\n" + use_of(k % 2); }));
     const auto draw = [&](const std::string& more, RenderBuffers& buffers) {
-        const Scene scene = read_in(folder, "[[object]]\nmesh = 'all.obj'\n" + more);
+        const Scene scene = read_parts_in(folder, "[[object]]\nmesh = 'all.obj'\n" + more);
         return render(scene, make_plan(scene), buffers).triangles;
     };
     RenderBuffers buffers, without;
@@ -100,10 +100,10 @@ TEST_CASE("many parts: 66,000 groups and 70,000 switches of material are drawn")
     folder.write("a.mtl", materials(2));
     folder.write("groups.obj", quads(257, [](int k) { return "g part" + std::to_string(k) + "\n"; }));
     folder.write("switches.obj", quads(265, [](int k) { return use_of(k % 2); }));
-    const Scene groups = read_in(folder, "[[object]]\nmesh = 'groups.obj'\n");
+    const Scene groups = read_parts_in(folder, "[[object]]\nmesh = 'groups.obj'\n");
     CHECK(groups.objects[0].mesh->triangle_count() == 2 * 257 * 257);
     CHECK(groups.objects[0].mesh->parts.size() == 1);  // parts of one material are one part
-    const Scene switches = read_in(folder, "[[object]]\nmesh = 'switches.obj'\n");
+    const Scene switches = read_parts_in(folder, "[[object]]\nmesh = 'switches.obj'\n");
     CHECK(switches.objects[0].mesh->triangle_count() == 2 * 265 * 265);
     CHECK(switches.objects[0].mesh->parts.size() == 2);
     const raster::Image film = render(switches);
@@ -114,7 +114,7 @@ TEST_CASE("many parts: 66,000 materials that all differ are drawn, too") {
     const TempFolder folder;
     folder.write("a.mtl", materials(257 * 257));
     folder.write("all.obj", quads(257, [](int k) { return use_of(k); }));
-    const Scene scene = read_in(folder, "[[object]]\nmesh = 'all.obj'\n");
+    const Scene scene = read_parts_in(folder, "[[object]]\nmesh = 'all.obj'\n");
     CHECK(scene.objects[0].mesh->parts.size() == 257 * 257);
     const raster::Image film = render(scene);
     for (const int y : {5, 48, 90}) {

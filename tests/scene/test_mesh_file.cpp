@@ -47,7 +47,7 @@ bool mentions(const std::vector<std::string>& warnings, const std::string& words
     return std::any_of(warnings.begin(), warnings.end(), [&](const auto& w) { return w.find(words) != w.npos; });
 }
 
-const std::string kTriangle = "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n";
+const std::string kBareTriangle = "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n";
 const std::vector<glm::vec3> kTrianglePositions = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}};
 const glm::vec3 kUp{0, 0, 1};  // the normal of that triangle
 
@@ -225,7 +225,7 @@ TEST_CASE("mesh file: maps are found beside their MTL and absent ones only warn"
     folder.write("textures/a.mtl",
                  "newmtl m\nmap_Kd -s 1 1 -bm 0.5 wood grain.png\nmap_Pr r.png\nmap_Pm absent.png\n"
                  "norm ..\\textures\\r.png\ndisp r.png\n");
-    const LoadedMesh loaded = load_mesh_file(folder.write("a.obj", "mtllib textures/a.mtl\n" + kTriangle));
+    const LoadedMesh loaded = load_mesh_file(folder.write("a.obj", "mtllib textures/a.mtl\n" + kBareTriangle));
     const lighting::MaterialMaps& maps = loaded.materials.at(0).maps;
     CHECK(std::filesystem::equivalent(maps.albedo.file, folder.file("textures/wood grain.png")));
     CHECK(maps.diffuse.file == maps.albedo.file);
@@ -267,7 +267,7 @@ TEST_CASE("mesh file: several materials in several files with blanks in their na
 }
 
 TEST_CASE("mesh file: a missing MTL is a warning and lines and points are counted") {
-    const LoadedMesh loaded = load_bare("mtllib none.mtl\nusemtl red\n" + kTriangle + "l 1 2\np 1\n");
+    const LoadedMesh loaded = load_bare("mtllib none.mtl\nusemtl red\n" + kBareTriangle + "l 1 2\np 1\n");
     CHECK(loaded.mesh.triangle_count() == 1);
     CHECK(mentions(loaded.warnings, "a.obj:1:1: no such material file"));
     CHECK(mentions(loaded.warnings, "a.obj:7:1: 'l'"));

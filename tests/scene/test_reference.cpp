@@ -39,7 +39,7 @@ struct Picture {
     raster::Image diffuse, specular, error, normal;
 };
 
-Picture draw(const Scene& scene, int threads = 0) {
+Picture draw_reference(const Scene& scene, int threads = 0) {
     RenderBuffers buffers;
     const auto views = {find_view("environment_diffuse"), find_view("environment_specular"),
                         find_view("environment_error"), find_view("normal")};
@@ -99,7 +99,7 @@ double luminance(const glm::dvec3& c) {
 
 TEST_CASE("reference: a white Lambert ball under a small sun is within one percent of quadrature") {
     const Scene scene = ball_under_sun(kLambert, 2048);
-    const Picture picture = draw(scene);
+    const Picture picture = draw_reference(scene);
     for (const glm::ivec2& pixel : kPixels) {
         CAPTURE(pixel.x);
         const glm::dvec3 n(picture.normal.rgb(pixel.x, pixel.y));
@@ -116,7 +116,7 @@ TEST_CASE("reference: a glossy metal under a small sun is quadrature from smooth
     for (const auto& [roughness, bound] : {std::pair{"0.3", 0.03}, {"0.6", 0.02}, {"1", 0.02}}) {
         const double alpha = std::pow(std::stod(roughness), 2);
         const Scene scene = ball_under_sun(metal(roughness), 2048);
-        const Picture picture = draw(scene);
+        const Picture picture = draw_reference(scene);
         for (const glm::ivec2& pixel : kPixels) {
             CAPTURE(roughness);
             CAPTURE(pixel.x);
@@ -129,7 +129,8 @@ TEST_CASE("reference: a glossy metal under a small sun is quadrature from smooth
 }
 
 TEST_CASE("reference: more samples come nearer and the stated error falls") {
-    const Picture few = draw(ball_under_sun(kLambert, 64)), many = draw(ball_under_sun(kLambert, 4096));
+    const Picture few = draw_reference(ball_under_sun(kLambert, 64)),
+                  many = draw_reference(ball_under_sun(kLambert, 4096));
     for (const glm::ivec2& pixel : kPixels) {
         CHECK(many.error.at(0, pixel.x, pixel.y) < 0.25f * few.error.at(0, pixel.x, pixel.y));
     }
@@ -137,6 +138,6 @@ TEST_CASE("reference: more samples come nearer and the stated error falls") {
 
 TEST_CASE("reference: the same bits with one thread and with four") {
     const Scene scene = ball_under_sun(metal("0.4"), 64);
-    CHECK(draw(scene, 1).specular.values == draw(scene, 4).specular.values);
-    CHECK(draw(scene, 1).error.values == draw(scene, 4).error.values);
+    CHECK(draw_reference(scene, 1).specular.values == draw_reference(scene, 4).specular.values);
+    CHECK(draw_reference(scene, 1).error.values == draw_reference(scene, 4).error.values);
 }

@@ -25,11 +25,11 @@ Scene square_over_floor(const std::string& light, const std::string& more = "") 
         "test", "");
 }
 
-struct Pictures {
+struct ShadowPictures {
     raster::Image position, shadow;
 };
 
-Pictures draw_with_shadow(const Scene& scene) {
+ShadowPictures draw_with_shadow(const Scene& scene) {
     RenderBuffers buffers;
     const RenderPlan plan = make_plan(scene, {find_view("position"), find_view("shadow")});
     REQUIRE(plan.shadows.size() == 1);
@@ -46,7 +46,7 @@ float depth_in_shadow(const lighting::Light& light, const glm::vec3& p) {
 
 /// Misclassified points farther than `tolerance` from the shadow's edge.
 int wrong_points(const Scene& scene, float tolerance) {
-    const Pictures pictures = draw_with_shadow(scene);
+    const ShadowPictures pictures = draw_with_shadow(scene);
     int wrong = 0, in_shadow = 0;
     for (int y = 0; y < pictures.shadow.height; ++y) {
         for (int x = 0; x < pictures.shadow.width; ++x) {
@@ -89,7 +89,7 @@ TEST_CASE("shadow map: a filter blurs the edge and nothing else") {
 
 TEST_CASE("shadow map: light from below the floor is stopped by the floor") {
     Scene scene = square_over_floor("direction = [0.2, 1, 0.1]");
-    const Pictures pictures = draw_with_shadow(scene);
+    const ShadowPictures pictures = draw_with_shadow(scene);
     for (int y = 0; y < pictures.shadow.height; ++y) {
         for (int x = 0; x < pictures.shadow.width; ++x) {
             const glm::vec3 p = pictures.position.rgb(x, y);
@@ -104,7 +104,7 @@ TEST_CASE("shadow map: a caster outside the view casts into it") {
         "[image]\nsize = [80, 60]\n[camera]\nposition = [0, 1, 0]\ntarget = [0, 0, -3]\n[[light]]\nshadow = true\n"
         "direction = [0, -1, -2]\n[[object]]\nmesh = \"plane\"\nscale = 8\n"
         "[[object]]\nmesh = \"plane\"\nscale = 0.5\ntranslate = [0, 3, 3]\n";
-    const Pictures pictures = draw_with_shadow(read_scene_text(scene, "test", ""));
+    const ShadowPictures pictures = draw_with_shadow(read_scene_text(scene, "test", ""));
     int dark = 0;
     for (std::size_t i = 0; i < pictures.shadow.plane_size(); ++i) {
         const glm::vec3 p(pictures.position.plane(0)[i], pictures.position.plane(1)[i], pictures.position.plane(2)[i]);

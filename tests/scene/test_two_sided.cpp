@@ -16,7 +16,7 @@ using namespace kreda::scene;
 
 namespace {
 
-const std::string kModels[] = {"lambert", "phong", "blinn_phong", "ward", "heidrich_seidel", "cook_torrance"};
+const std::string kTurnedModels[] = {"lambert", "phong", "blinn_phong", "ward", "heidrich_seidel", "cook_torrance"};
 const std::string kFrequencies[] = {"flat", "gouraud", "phong"};
 
 /// A square whose front looks up (+y), seen from below: a red lamp on the camera's side, a green one behind.
@@ -68,7 +68,7 @@ raster::Image normals_of(const Scene& scene) {
 }  // namespace
 
 TEST_CASE("Two-sided: a square seen from behind shows the light of the lamp on the viewer's side") {
-    for (const std::string& model : kModels) {
+    for (const std::string& model : kTurnedModels) {
         for (const std::string& frequency : kFrequencies) {
             for (const std::string cull : {"none", "front"}) {
                 CAPTURE(model);
@@ -121,7 +121,7 @@ TEST_CASE("Two-sided: mirrored objects are lit on the side that is seen") {
 }
 
 TEST_CASE("Two-sided: a square from behind is bit for bit the reversed square from the front") {
-    for (const std::string& model : kModels) {
+    for (const std::string& model : kTurnedModels) {
         for (const std::string& frequency : kFrequencies) {
             CAPTURE(model);
             CAPTURE(frequency);

@@ -11,12 +11,12 @@ using namespace kreda::scene;
 
 namespace {
 
-std::vector<std::string> warnings_of(const std::string& text) {
+std::vector<std::string> view_warnings_of(const std::string& text) {
     return read_scene_text(text, "s.toml", "").warnings;
 }
 
 bool warns(const std::string& text, const std::string& part) {
-    const std::vector<std::string> warnings = warnings_of(text);
+    const std::vector<std::string> warnings = view_warnings_of(text);
     return std::any_of(warnings.begin(), warnings.end(),
                        [&](const std::string& warning) { return warning.find(part) != std::string::npos; });
 }
@@ -45,13 +45,13 @@ TEST_CASE("view warnings: what lies beside the picture is said, with the way to 
         CAPTURE(scene);
         CHECK(warns(scene, beside));
     }
-    CHECK(warnings_of(ball_seen_from("position = [0, 0, 5]\nvertical_fov = 10\ntarget = [3, 0, -1]\n"))
+    CHECK(view_warnings_of(ball_seen_from("position = [0, 0, 5]\nvertical_fov = 10\ntarget = [3, 0, -1]\n"))
               .empty());  // as advised
-    CHECK(warnings_of(ball_seen_from("position = [0, 0, 5]\nvertical_fov = 40\ntarget = [0, 0, -1]\n")).empty());
-    CHECK(warnings_of(ball_seen_from("position = [3, 0, -1]\ntarget = [4, 0, 0]\n")).empty());  // from within
+    CHECK(view_warnings_of(ball_seen_from("position = [0, 0, 5]\nvertical_fov = 40\ntarget = [0, 0, -1]\n")).empty());
+    CHECK(view_warnings_of(ball_seen_from("position = [3, 0, -1]\ntarget = [4, 0, 0]\n")).empty());  // from within
     const std::string orthographic = "position = [0, 0, 5]\ntarget = [0, 0, 0]\nprojection = 'orthographic'\nheight = ";
     CHECK(warns(ball_seen_from(orthographic + "2\n"), beside));
-    CHECK(warnings_of(ball_seen_from(orthographic + "4\n")).empty());  // 16 : 9 of 4 reaches to x = 3.6
+    CHECK(view_warnings_of(ball_seen_from(orthographic + "4\n")).empty());  // 16 : 9 of 4 reaches to x = 3.6
 }
 
 TEST_CASE("shadow warnings: a wide ground that casts leaves a few texels for the ball on it") {

@@ -17,8 +17,8 @@ using namespace kreda::scene;
 
 namespace {
 
-/// The unit ball before an orthographic camera whose picture is two units high.
-Scene ball(const std::string& more) {
+/// The unit viewed_ball before an orthographic camera whose picture is two units high.
+Scene viewed_ball(const std::string& more) {
     return read_scene_text(
         "[image]\nsize = [64, 64]\n[camera]\nposition = [0, 0, 4]\nprojection = \"orthographic\"\n"
         "height = 2\nnear = 1\nfar = 9\n[[light]]\ndirection = [-1, -2, -1]\n"
@@ -35,7 +35,7 @@ raster::Image draw(const Scene& scene, std::string_view name) {
     return buffers.views[0];
 }
 
-/// The point of the ball seen at the centre of a pixel.
+/// The point of the viewed_ball seen at the centre of a pixel.
 glm::vec3 seen_at(int x, int y) {
     const float px = (float(x) + 0.5f) / 32.0f - 1.0f, py = 1.0f - (float(y) + 0.5f) / 32.0f;
     return {px, py, std::sqrt(1.0f - px * px - py * py)};
@@ -43,8 +43,8 @@ glm::vec3 seen_at(int x, int y) {
 
 }  // namespace
 
-TEST_CASE("views: position and normal and depth of a ball are those of the geometry") {
-    const Scene scene = ball("");
+TEST_CASE("views: position and normal and depth of a viewed_ball are those of the geometry") {
+    const Scene scene = viewed_ball("");
     const raster::Image position = draw(scene, "position"), normal = draw(scene, "normal"),
                         depth = draw(scene, "depth");
     for (const int x : {20, 32, 45}) {
@@ -52,7 +52,8 @@ TEST_CASE("views: position and normal and depth of a ball are those of the geome
             CAPTURE(x);
             CAPTURE(y);
             const glm::vec3 p = seen_at(x, y);
-            // The chords of 256 segments lie at most 1 - cos(pi/256) = 8e-5 below the ball; twice that where it slopes.
+            // The chords of 256 segments lie at most 1 - cos(pi/256) = 8e-5 below the viewed_ball; twice that where it
+            // slopes.
             CHECK(glm::distance(position.rgb(x, y), p) < 3e-4f);
             CHECK(glm::distance(normal.rgb(x, y), p) < 3e-4f);
             CHECK(depth.at(0, x, y) == doctest::Approx((4.0f - p.z - 1.0f) / 8.0f).epsilon(1e-3));
@@ -65,7 +66,7 @@ TEST_CASE("views: position and normal and depth of a ball are those of the geome
 TEST_CASE("views: ambient and light add up to the radiance") {
     for (const char* model : {"lambert", "phong", "blinn_phong", "ward", "cook_torrance"}) {
         CAPTURE(model);
-        const Scene scene = ball("model = \"" + std::string(model) + "\"\nemission = [0.1, 0.2, 0.3]\n");
+        const Scene scene = viewed_ball("model = \"" + std::string(model) + "\"\nemission = [0.1, 0.2, 0.3]\n");
         const raster::Image ambient = draw(scene, "ambient"), light = draw(scene, "light");
         const raster::Image radiance = draw(scene, "radiance");
         for (std::size_t i = 0; i < radiance.values.size(); ++i) {
@@ -75,7 +76,7 @@ TEST_CASE("views: ambient and light add up to the radiance") {
 }
 
 TEST_CASE("views: the radiance view is the film to the last bit and a view does not change the film") {
-    const Scene scene = ball("");
+    const Scene scene = viewed_ball("");
     const raster::Image film = render(scene);
     CHECK(draw(scene, "radiance").values == film.values);
     RenderBuffers buffers;
@@ -86,8 +87,8 @@ TEST_CASE("views: the radiance view is the film to the last bit and a view does 
 TEST_CASE("views: sigma and its power and Lambert's cosine rebuild what the light adds") {
     for (const char* model : {"phong", "blinn_phong"}) {
         CAPTURE(model);
-        const Scene scene = ball("model = \"" + std::string(model) +
-                                 "\"\ndiffuse = [0.5, 0.25, 0.125]\nspecular = [0.75, 0.5, 1]\nshininess = 9\n");
+        const Scene scene = viewed_ball("model = \"" + std::string(model) +
+                                        "\"\ndiffuse = [0.5, 0.25, 0.125]\nspecular = [0.75, 0.5, 1]\nshininess = 9\n");
         const raster::Image cosine = draw(scene, "n_dot_l"), sigma = draw(scene, "sigma"),
                             highlight = draw(scene, "highlight"), diffuse = draw(scene, "diffuse"),
                             specular = draw(scene, "specular");
@@ -135,7 +136,7 @@ TEST_CASE("views: a light that is left out where it shines on the back leaves no
           "cook_torrance", "cook_torrance\"\nenergy_compensation = \"kulla_conty\"\n#\"",
           "phong\"\nshininess = 0\n#\""}) {
         CAPTURE(material);
-        Scene scene = ball("model = \"" + std::string(material) + "\"\n");
+        Scene scene = viewed_ball("model = \"" + std::string(material) + "\"\n");
         scene.lights = read_scene_text(lamps, "test", "").lights;
         scene.image.width = scene.image.height = 200;
         const raster::Image film = render(scene);
@@ -146,7 +147,8 @@ TEST_CASE("views: a light that is left out where it shines on the back leaves no
 }
 
 TEST_CASE("views: a cook_torrance material shows its constants and D V F rebuild the highlight") {
-    const Scene scene = ball("model = \"cook_torrance\"\nalbedo = [0.2, 0.4, 0.6]\nmetallic = 0.25\nroughness = 0.5\n");
+    const Scene scene =
+        viewed_ball("model = \"cook_torrance\"\nalbedo = [0.2, 0.4, 0.6]\nmetallic = 0.25\nroughness = 0.5\n");
     CHECK(draw(scene, "albedo").rgb(32, 32) == glm::vec3(0.2f, 0.4f, 0.6f));
     CHECK(draw(scene, "metallic").at(0, 32, 32) == 0.25f);
     CHECK(draw(scene, "roughness").at(0, 32, 32) == 0.5f);
@@ -159,19 +161,20 @@ TEST_CASE("views: a cook_torrance material shows its constants and D V F rebuild
     for (int c = 0; c < 3; ++c) CHECK(specular[c] == doctest::Approx(D * V * F[c] * n_dot_l).epsilon(1e-5));
 }
 
-TEST_CASE("views: the grain of threads runs up the ball along its meridians") {
-    const Scene scene = ball("model = \"heidrich_seidel\"\ngrain = [0, 2, 0]\n");
+TEST_CASE("views: the grain of threads runs up the viewed_ball along its meridians") {
+    const Scene scene = viewed_ball("model = \"heidrich_seidel\"\ngrain = [0, 2, 0]\n");
     const raster::Image grain = draw(scene, "grain"), normal = draw(scene, "normal");
     for (const int y : {10, 32, 50}) {
         const glm::vec3 n = normal.rgb(40, y), t = grain.rgb(40, y);
         CHECK(std::abs(glm::dot(n, t)) < 1e-6f);
         CHECK(t.y == doctest::Approx(std::sqrt(1.0 - n.y * n.y)).epsilon(1e-5));
     }
-    CHECK_FALSE(can_show(make_plan(ball("model = \"ward\"\n"), {}), ball("model = \"ward\"\n"), *find_view("grain")));
+    CHECK_FALSE(can_show(make_plan(viewed_ball("model = \"ward\"\n"), {}), viewed_ball("model = \"ward\"\n"),
+                         *find_view("grain")));
 }
 
 TEST_CASE("views: what a scene does not write cannot be shown") {
-    const Scene phong = ball("model = \"phong\"\n");
+    const Scene phong = viewed_ball("model = \"phong\"\n");
     const auto can = [](const Scene& scene, const char* name) {
         const View* view = find_view(name);
         REQUIRE(view);
@@ -203,12 +206,13 @@ TEST_CASE("views: names are unique and every view says what it shows and needs")
 }
 
 TEST_CASE("views: a range picture runs from black to white over what is seen") {
-    const Scene scene = ball("");
+    const Scene scene = viewed_ball("");
     const View* view = find_view("depth");
     const ViewPicture picture = picture_of(*view, draw(scene, "depth"), scene);
     REQUIRE(picture.ranges.size() == 1);
     CHECK(picture.encoded.at(0, 0, 0) == 1.0f);  // nothing seen
     const float* values = picture.encoded.plane(0);
     CHECK(*std::min_element(values, values + picture.encoded.plane_size()) == 0.0f);
-    CHECK(picture.ranges[0].least == doctest::Approx(2.0 / 8.0).epsilon(1e-3));  // the ball's nearest point, z = 1
+    CHECK(picture.ranges[0].least ==
+          doctest::Approx(2.0 / 8.0).epsilon(1e-3));  // the viewed_ball's nearest point, z = 1
 }

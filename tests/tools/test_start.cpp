@@ -22,7 +22,7 @@ Outcome run_with_loader_talking(const std::vector<std::string>& args, const Temp
     return outcome;
 }
 
-bool has(const std::string& text, const std::string& part) {
+bool mentions(const std::string& text, const std::string& part) {
     return text.find(part) != std::string::npos;
 }
 
@@ -47,18 +47,18 @@ TEST_CASE("start: without image files no command loads OpenImageIO, and a textur
         CAPTURE(command.front());
         const Outcome outcome = run_with_loader_talking(command, folder);
         CHECK(outcome.exit_code == 0);
-        if (!has(outcome.err, "libstdc++")) {
+        if (!mentions(outcome.err, "libstdc++")) {
             MESSAGE("SKIPPED: this loader does not say what it loads");
             return;
         }
-        CHECK_FALSE(has(outcome.err, "OpenImageIO"));
-        CHECK_FALSE(has(outcome.err, "libkreda_images"));
+        CHECK_FALSE(mentions(outcome.err, "OpenImageIO"));
+        CHECK_FALSE(mentions(outcome.err, "libkreda_images"));
     }
     scene::write_png(folder.file("grey.png"), raster::make_image(2, 2, 3));
     write_ball(folder, "diffuse_map = \"grey.png\"\n");
     const Outcome outcome = run_with_loader_talking({"render", "ball.toml"}, folder);
     CHECK(outcome.exit_code == 0);
-    CHECK(has(outcome.err, "OpenImageIO"));
+    CHECK(mentions(outcome.err, "OpenImageIO"));
 }
 
 TEST_CASE("start: a module that cannot be loaded is one line with the remedy, and matters to images only") {
@@ -72,8 +72,8 @@ TEST_CASE("start: a module that cannot be loaded is one line with the remedy, an
     const Outcome outcome = run_program(folder.file("bin/kreda"), {"render", "ball.toml"}, folder.path.string());
     CHECK(outcome.exit_code == 2);
     CHECK(line_count(outcome.err) == 1);
-    CHECK(has(outcome.err, "grey.png"));
-    CHECK(has(outcome.err, "install the package libopenimageio"));
+    CHECK(mentions(outcome.err, "grey.png"));
+    CHECK(mentions(outcome.err, "install the package libopenimageio"));
     CHECK_FALSE(fs::exists(folder.path / "ball.png"));
     CHECK(run_program(folder.file("bin/kreda"), {"render", "--size", "8x8"}, folder.path.string()).exit_code == 0);
 }

@@ -24,7 +24,7 @@ using namespace kreda::tools;
 
 namespace {
 
-constexpr const char* kScene = R"(
+constexpr const char* kViewedScene = R"(
 [image]
 size = [48, 27]
 [camera]
@@ -57,7 +57,7 @@ bool has_file(const CarriedScene& scene, const std::string& name) {
 
 TEST_CASE("the viewer draws the film of kreda render, after its size and camera came and went") {
     const TempFolder folder;
-    folder.write("a.toml", kScene);
+    folder.write("a.toml", kViewedScene);
     Viewer viewer;
     open_scene(viewer, folder.file("a.toml"), {});
     set_size(viewer, 48, 27, 1);
@@ -76,7 +76,7 @@ TEST_CASE("the viewer draws the film of kreda render, after its size and camera 
 
 TEST_CASE("the screen shows the bytes of the PNG, whatever the exposure and the transfer function are") {
     const TempFolder folder;
-    folder.write("a.toml", kScene);
+    folder.write("a.toml", kViewedScene);
     Viewer viewer;
     for (const char* change : {"image.exposure=3", "image.tone_map=reinhard", "image.transfer=linear"}) {
         open_scene(viewer, folder.file("a.toml"), {change});
@@ -95,7 +95,7 @@ TEST_CASE("the screen shows the bytes of the PNG, whatever the exposure and the 
 
 TEST_CASE("the screen shows opaque pixels of the picture, and of every view that the scene can show") {
     const TempFolder folder;
-    folder.write("a.toml", kScene);
+    folder.write("a.toml", kViewedScene);
     Viewer viewer;
     open_scene(viewer, folder.file("a.toml"), {"light.0.shadow=true", "shadow.size=32"});
     int shown = 0;
@@ -120,7 +120,7 @@ TEST_CASE("the screen shows opaque pixels of the picture, and of every view that
 
 TEST_CASE("what cannot be read leaves the viewer as it was, with the line that kreda prints") {
     const TempFolder folder;
-    folder.write("a.toml", kScene);
+    folder.write("a.toml", kViewedScene);
     folder.write("bad.toml", "[camera]\nnaer = 1\n");
     Viewer viewer;
     open_scene(viewer, folder.file("a.toml"), {});
@@ -135,7 +135,7 @@ TEST_CASE("what cannot be read leaves the viewer as it was, with the line that k
 
 TEST_CASE("n, l, v, h and r start at the explained point and are drawn in their true directions") {
     const TempFolder folder;
-    folder.write("a.toml", kScene);
+    folder.write("a.toml", kViewedScene);
     Viewer viewer;
     open_scene(viewer, folder.file("a.toml"), {});
     const auto told = explain_on_screen(viewer, 24, 13);
@@ -153,7 +153,7 @@ TEST_CASE("n, l, v, h and r start at the explained point and are drawn in their 
 }
 
 TEST_CASE("a saved scene file holds the same values to the last bit, and the changes") {
-    scene::Value root = scene::parse_toml(kScene, "a");
+    scene::Value root = scene::parse_toml(kViewedScene, "a");
     scene::check_tables(root);
     scene::apply_overrides(root, {"light.1.intensity=0.30000000000000004", "fog.mode=exp", "light.0.on=false"});
     const std::string text = text_of_scene(root);
@@ -200,7 +200,7 @@ TEST_CASE("the page carries meshes, their materials and their maps under names t
 
 TEST_CASE("nothing in a scene ends the script that holds it") {
     const TempFolder folder;
-    folder.write("a.toml", kScene);
+    folder.write("a.toml", kViewedScene);
     const CarriedScene scene{"</script><b>.toml", "", {{"</script>", folder.file("a.toml")}}};
     const std::string page =
         page_with_scene("<script>/*SCENE*/</script>", scene, {{"material.</script>.shininess=1"}, {"</script>"}});

@@ -73,22 +73,22 @@ bool is_color(const Watcher& watcher, const glm::vec3& color) {
     return comes([&] { return watcher.color() == color; });
 }
 
-constexpr glm::vec3 kRed{1.0f, 0.0f, 0.0f}, kGreen{0.0f, 1.0f, 0.0f}, kBlue{0.0f, 0.0f, 1.0f};
+constexpr glm::vec3 kPureRed{1.0f, 0.0f, 0.0f}, kPureGreen{0.0f, 1.0f, 0.0f}, kPureBlue{0.0f, 0.0f, 1.0f};
 
 }  // namespace
 
 TEST_CASE("watch: a saved scene is drawn, a broken one is one line, a mended one is drawn") {
     Watcher watcher(scene_of_color("[1, 0, 0]"));
-    REQUIRE(is_color(watcher, kRed));
+    REQUIRE(is_color(watcher, kPureRed));
     watcher.folder.write("a.toml", scene_of_color("[0, 1, 0]"));
-    CHECK(is_color(watcher, kGreen));
+    CHECK(is_color(watcher, kPureGreen));
     watcher.folder.write("a.toml", scene_of_color("[0, 1"));
     CHECK(comes([&] { return watcher.said().find("a.toml:3:") != std::string::npos; }));
-    CHECK(watcher.color() == kGreen);
+    CHECK(watcher.color() == kPureGreen);
     // As editors do it that save under another name first.
     watcher.folder.write("a.toml.new", scene_of_color("[0, 0, 1]"));
     std::filesystem::rename(watcher.folder.file("a.toml.new"), watcher.folder.file("a.toml"));
-    CHECK(is_color(watcher, kBlue));
+    CHECK(is_color(watcher, kPureBlue));
     CHECK(watcher.end(SIGINT) == 0);
     CHECK(names_in(watcher.folder.path.string()) == std::vector<std::string>{"a.png", "a.toml"});
     std::string said = watcher.said();
@@ -105,13 +105,13 @@ TEST_CASE("watch: meshes and textures are watched, too, and one that is missing 
         for (int i = 0; i < 4; ++i) image.set_rgb(i % 2, i / 2, color);
         scene::write_png(watcher.folder.file("t.png"), image);
     };
-    save_texture(kRed);
+    save_texture(kPureRed);
     CHECK(comes([&] { return watcher.said().find("a.obj") != std::string::npos; }));
     const std::string corners = "v -9 -9 0\nv 9 -9 0\nv 9 9 0\nv -9 9 0\nvt 0 0\n";
     watcher.folder.write("parts/a.obj", corners + "f 1/1 2/1 3/1 4/1\n");
-    CHECK(is_color(watcher, kRed));
-    save_texture(kBlue);
-    CHECK(is_color(watcher, kBlue));
+    CHECK(is_color(watcher, kPureRed));
+    save_texture(kPureBlue);
+    CHECK(is_color(watcher, kPureBlue));
     watcher.folder.write("parts/a.obj", corners + "f 4/1 3/1 2/1 1/1\n");  // seen from behind
     CHECK(is_color(watcher, glm::vec3(0.0f)));
     CHECK(watcher.end(SIGTERM) == 0);

@@ -38,7 +38,7 @@ std::string text_of_file(const std::string& path) {
 
 /// The mesh is named as it was given, so that a saved scene file beside it finds it.
 std::string scene_around_file(const std::string& path) {
-    std::string text = scene_around_mesh(path, scene::load_mesh_file(path, {}).mesh);
+    std::string text = scene_around_mesh(path, scene::load_mesh_file(path, {}));
     const std::string whole = std::filesystem::absolute(path).string();
     const std::size_t at = text.find(whole);
     if (at != std::string::npos) text.replace(at, whole.size(), std::filesystem::path(path).filename().string());
