@@ -12,15 +12,15 @@ using namespace kreda;
 
 namespace {
 
-/// A facing_wall before an orthographic camera, in a light from the camera: n . l = n . v = 1, nothing ambient.
+/// A wall before an orthographic camera, in a light from the camera: n . l = n . v = 1, nothing ambient.
 std::string facing_wall(const std::string& model) {
     return "[image]\nsize = [8, 8]\n[camera]\nprojection = \"orthographic\"\nheight = 1\nposition = [0, 0, 4]\n"
            "[ambient]\ncolor = [0, 0, 0]\n[[light]]\ndirection = [0, 0, -1]\n[[material]]\nname = "
-           "\"facing_wall\"\nmodel = "
+           "\"wall\"\nmodel = "
            "\"" +
            model +
            "\"\ndiffuse = [0.5, 0.5, 0.5]\nalbedo = [0.5, 0.5, 0.5]\nfresnel = \"none\"\n"
-           "[[object]]\nmesh = \"plane\"\nmaterial = \"facing_wall\"\nrotate = [90, 0, 0]\nscale = 10\n";
+           "[[object]]\nmesh = \"plane\"\nmaterial = \"wall\"\nrotate = [90, 0, 0]\nscale = 10\n";
 }
 
 scene::RenderPlan plan_of(const std::string& text) {
@@ -38,9 +38,9 @@ TEST_CASE("plan: a lamp's light on both kinds of model is noted and on one kind 
     CHECK(plan_of(facing_wall("unlit") + seen).notes.empty());
     const scene::RenderPlan plan = plan_of(facing_wall("cook_torrance") + seen);
     REQUIRE(plan.notes.size() == 1);
-    CHECK(plan.notes[0].find("\"facing_wall\" is cook_torrance") != std::string::npos);
+    CHECK(plan.notes[0].find("\"wall\" is cook_torrance") != std::string::npos);
     CHECK(plan.notes[0].find("\"ball\" reflects diffuse") != std::string::npos);
-    CHECK(scene::describe(plan, false).find("note: \"facing_wall\"") != std::string::npos);
+    CHECK(scene::describe(plan, false).find("note: \"wall\"") != std::string::npos);
 }
 
 TEST_CASE("plan: the same number in albedo and in diffuse is pi times as dark in a lamp's light") {

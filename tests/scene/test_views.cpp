@@ -17,7 +17,7 @@ using namespace kreda::scene;
 
 namespace {
 
-/// The unit viewed_ball before an orthographic camera whose picture is two units high.
+/// The unit ball before an orthographic camera whose picture is two units high.
 Scene viewed_ball(const std::string& more) {
     return read_scene_text(
         "[image]\nsize = [64, 64]\n[camera]\nposition = [0, 0, 4]\nprojection = \"orthographic\"\n"
@@ -35,7 +35,7 @@ raster::Image draw(const Scene& scene, std::string_view name) {
     return buffers.views[0];
 }
 
-/// The point of the viewed_ball seen at the centre of a pixel.
+/// The point of the ball seen at the centre of a pixel.
 glm::vec3 seen_at(int x, int y) {
     const float px = (float(x) + 0.5f) / 32.0f - 1.0f, py = 1.0f - (float(y) + 0.5f) / 32.0f;
     return {px, py, std::sqrt(1.0f - px * px - py * py)};
@@ -43,7 +43,7 @@ glm::vec3 seen_at(int x, int y) {
 
 }  // namespace
 
-TEST_CASE("views: position and normal and depth of a viewed_ball are those of the geometry") {
+TEST_CASE("views: position and normal and depth of a ball are those of the geometry") {
     const Scene scene = viewed_ball("");
     const raster::Image position = draw(scene, "position"), normal = draw(scene, "normal"),
                         depth = draw(scene, "depth");
@@ -52,7 +52,7 @@ TEST_CASE("views: position and normal and depth of a viewed_ball are those of th
             CAPTURE(x);
             CAPTURE(y);
             const glm::vec3 p = seen_at(x, y);
-            // The chords of 256 segments lie at most 1 - cos(pi/256) = 8e-5 below the viewed_ball; twice that where it
+            // The chords of 256 segments lie at most 1 - cos(pi/256) = 8e-5 below the ball; twice that where it
             // slopes.
             CHECK(glm::distance(position.rgb(x, y), p) < 3e-4f);
             CHECK(glm::distance(normal.rgb(x, y), p) < 3e-4f);
@@ -161,7 +161,7 @@ TEST_CASE("views: a cook_torrance material shows its constants and D V F rebuild
     for (int c = 0; c < 3; ++c) CHECK(specular[c] == doctest::Approx(D * V * F[c] * n_dot_l).epsilon(1e-5));
 }
 
-TEST_CASE("views: the grain of threads runs up the viewed_ball along its meridians") {
+TEST_CASE("views: the grain of threads runs up the ball along its meridians") {
     const Scene scene = viewed_ball("model = \"heidrich_seidel\"\ngrain = [0, 2, 0]\n");
     const raster::Image grain = draw(scene, "grain"), normal = draw(scene, "normal");
     for (const int y : {10, 32, 50}) {
@@ -213,6 +213,5 @@ TEST_CASE("views: a range picture runs from black to white over what is seen") {
     CHECK(picture.encoded.at(0, 0, 0) == 1.0f);  // nothing seen
     const float* values = picture.encoded.plane(0);
     CHECK(*std::min_element(values, values + picture.encoded.plane_size()) == 0.0f);
-    CHECK(picture.ranges[0].least ==
-          doctest::Approx(2.0 / 8.0).epsilon(1e-3));  // the viewed_ball's nearest point, z = 1
+    CHECK(picture.ranges[0].least == doctest::Approx(2.0 / 8.0).epsilon(1e-3));  // the ball's nearest point, z = 1
 }
