@@ -98,10 +98,10 @@ void print_row(const std::string& scene, const std::vector<ProcessCost>& costs) 
                 fs::path(scene).filename().c_str(), median_of(costs, wall), least->wall_ms, greatest->wall_ms,
                 median_of(costs, [](const ProcessCost& c) { return c.processor_ms; }),
                 median_of(costs, [](const ProcessCost& c) { return c.megabytes; }),
-                median_of(costs, [](const ProcessCost& c) { return around(c, "load"); }),
-                median_of(costs, [](const ProcessCost& c) { return around(c, "bake"); }),
+                median_of(costs, [](const ProcessCost& c) { return around(c, "loading"); }),
+                median_of(costs, [](const ProcessCost& c) { return around(c, "baking"); }),
                 median_of(costs, [](const ProcessCost& c) { return c.times.at("total_ms").get<double>(); }),
-                median_of(costs, [](const ProcessCost& c) { return around(c, "write"); }));
+                median_of(costs, [](const ProcessCost& c) { return around(c, "writing"); }));
 }
 
 }  // namespace

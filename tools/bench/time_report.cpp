@@ -44,9 +44,9 @@ std::string json_line(const TimeReport& report) {
     nlohmann::ordered_json json;
     json["stages"] = stage_medians(report.frames);
     json["total_ms"] = to_microseconds(median(totals));
-    json["around"] = {{"load", to_microseconds(report.around.load)},
-                      {"bake", to_microseconds(report.around.bake)},
-                      {"write", to_microseconds(report.around.write)}};
+    json["around"] = {{"loading", to_microseconds(report.around.load)},
+                      {"baking", to_microseconds(report.around.bake)},
+                      {"writing", to_microseconds(report.around.write)}};
     json["triangles"] = frame.triangles.input;
     json["pixels_shaded"] = frame.samples_shaded;
     json["width"] = report.width;

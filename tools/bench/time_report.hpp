@@ -28,7 +28,8 @@ struct TimeReport {
     int threads = 1;
 };
 
-/// {"stages": {"vertices": ms, ...}, "total_ms": ..., "around": {"load": ms, "bake": ms, "write": ms}, "triangles":
+/// {"stages": {"vertices": ms, ...}, "total_ms": ..., "around": {"loading": ms, "baking": ms, "writing": ms},
+/// "triangles":
 /// ..., "pixels_shaded": ..., ...} on one line.
 [[nodiscard]] std::string json_line(const TimeReport& report);
 
