@@ -159,8 +159,7 @@ TEST_CASE("An environment needs a file or a sky and a background needs an enviro
     CHECK(place("[environment]\nsky = 'noon'\n") == "s.toml:2:7");
     CHECK(complaint_about("[image]\nbackground = 'environment'\n") ==
           "s.toml:2:14: background = \"environment\" needs an [environment] that is on, e.g. sky = \"studio\"");
-    CHECK(complaint_about("[image]\nbackground = 'environment'\n[environment]\nsky = 'sunset'\n") ==
-          "no complaint");
+    CHECK(complaint_about("[image]\nbackground = 'environment'\n[environment]\nsky = 'sunset'\n") == "no complaint");
 }
 
 TEST_CASE("The microfacet model's constants have their ranges") {
