@@ -6,28 +6,42 @@ namespace kreda::raster {
 
 namespace {
 
-/// NaN becomes 0.
-float exposed(float radiance, const FilmSettings& settings) {
-    const float scaled = radiance * settings.exposure;
-    return scaled > 0.0f ? scaled : 0.0f;
+/// From radiance to what a display is sent, 0..1. NaN becomes 0.
+template <class ToneMapFormula, class TransferFormula>
+float developed(float radiance, float exposure, ToneMapFormula tone_map, TransferFormula encode) {
+    const float scaled = radiance * exposure;
+    const float exposed = scaled > 0.0f ? scaled : 0.0f;
+    const float mapped = saturate(tone_map(exposed));
+    return saturate(encode(mapped));
 }
 
-float tone_map(float radiance, const FilmSettings& settings) {
+/// use(formula) of the tone map that was chosen.
+template <class Use>
+auto with_tone_map(const FilmSettings& settings, Use use) {
     switch (settings.tone_map) {
-        case ToneMap::none: return radiance;
-        case ToneMap::reinhard: return reinhard(radiance);
-        case ToneMap::reinhard_extended: return reinhard_extended(radiance, settings.white);
+        case ToneMap::reinhard: return use([](float L) { return reinhard(L); });
+        case ToneMap::reinhard_extended:
+            return use([white = settings.white](float L) { return reinhard_extended(L, white); });
+        default: return use([](float L) { return L; });
     }
-    return radiance;
 }
 
-float encode(float linear, const FilmSettings& settings) {
+/// use(formula) of the transfer function that was chosen.
+template <class Use>
+auto with_transfer(const FilmSettings& settings, Use use) {
     switch (settings.transfer) {
-        case Transfer::srgb: return srgb_from_linear(linear);
-        case Transfer::gamma: return pow(linear, 1.0f / settings.gamma);
-        case Transfer::linear: return linear;
+        case Transfer::srgb: return use([](float x) { return srgb_from_linear(x); });
+        case Transfer::gamma: return use([gamma = settings.gamma](float x) { return pow(x, 1.0f / gamma); });
+        default: return use([](float x) { return x; });
     }
-    return linear;
+}
+
+/// use(tone_map, encode)
+template <class Use>
+auto with_film_formulas(const FilmSettings& settings, Use use) {
+    return with_tone_map(settings, [&](auto tone_map) {
+        return with_transfer(settings, [&](auto encode) { return use(tone_map, encode); });
+    });
 }
 
 void count(float value, FilmReport& report) {
@@ -39,31 +53,19 @@ void count(float value, FilmReport& report) {
 }  // namespace
 
 float display_value(float radiance, const FilmSettings& settings) {
-    return saturate(encode(saturate(tone_map(exposed(radiance, settings), settings)), settings));
+    return with_film_formulas(
+        settings, [&](auto tone_map, auto encode) { return developed(radiance, settings.exposure, tone_map, encode); });
 }
 
-/// display_value() of each, step by step: the loops hold no choice, so each becomes one over many lanes.
 Image develop(const Image& radiance, const FilmSettings& settings, FilmReport* report) {
     Image display = radiance;
-    const auto each = [&](auto step) {
-        for (float& value : display.values) value = step(value);
-    };
     if (report) {
         for (const float value : radiance.values) count(value, *report);
     }
-    each([&](float x) { return exposed(x, settings); });
-    switch (settings.tone_map) {
-        case ToneMap::none: break;
-        case ToneMap::reinhard: each([](float x) { return reinhard(x); }); break;
-        case ToneMap::reinhard_extended: each([&](float x) { return reinhard_extended(x, settings.white); }); break;
-    }
-    each([](float x) { return saturate(x); });
-    switch (settings.transfer) {
-        case Transfer::srgb: each([](float x) { return srgb_from_linear(x); }); break;
-        case Transfer::gamma: each([&](float x) { return pow(x, 1.0f / settings.gamma); }); break;
-        case Transfer::linear: break;
-    }
-    each([](float x) { return saturate(x); });
+    // What is chosen is asked once, not at each value: the loop becomes one over many lanes.
+    with_film_formulas(settings, [&, exposure = settings.exposure](auto tone_map, auto encode) {
+        for (float& value : display.values) value = developed(value, exposure, tone_map, encode);
+    });
     return display;
 }
 

@@ -1,6 +1,6 @@
 // 70_hdr_tone_mapping: a lamp a hundred times as bright as the wall: what a display can show of it.
 // Page docs/70_hdr_tone_mapping.md | After 22_phong_terms | New: FilmSettings, reinhard(), reinhard_extended()
-// Break at: display_value | Look at: radiance, exposed, positive | Try: kWhite 2, kLamp 400
+// Break at: developed | Look at: radiance, scaled, exposed | Try: kWhite 2, kLamp 400
 #include <algorithm>
 #include <string>
 
