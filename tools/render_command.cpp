@@ -53,22 +53,10 @@ std::string output_path(const RenderOptions& options) {
     return fs::path(options.scene.file).stem().string() + ".png";
 }
 
-/// Those of the picture's size, and what a light sees.
-std::vector<const scene::View*> known_views() {
-    std::vector<const scene::View*> views;
-    for (const scene::View& view : scene::all_views()) views.push_back(&view);
-    views.push_back(&scene::light_depth_view());
-    return views;
-}
-
-bool is_light_depth(const scene::View* view) {
-    return view == &scene::light_depth_view();
-}
-
 const scene::View* chosen_view(const std::string& name) {
     if (name.empty()) return nullptr;
     std::vector<std::string> names;
-    for (const scene::View* view : known_views()) {
+    for (const scene::View* view : scene::known_views()) {
         if (view->name == name) return view;
         names.emplace_back(view->name);
     }
@@ -89,7 +77,7 @@ SlideText slide_text(const RenderOptions& options, const scene::View* view) {
 }
 
 raster::Image values_of(const scene::View& view, const scene::RenderBuffers& buffers) {
-    return is_light_depth(&view) ? light_depth(buffers) : buffers.views[0];
+    return scene::is_light_depth(&view) ? light_depth(buffers) : buffers.views[0];
 }
 
 void write_slide(const std::string& path, const RenderOptions& options, const scene::View* view,
@@ -97,7 +85,7 @@ void write_slide(const std::string& path, const RenderOptions& options, const sc
     raster::FilmReport report;
     raster::Image picture = view ? picture_of(*view, values_of(*view, buffers), scene).encoded
                                  : develop(buffers.film, film_settings(scene.image), &report);
-    if (is_light_depth(view)) {
+    if (scene::is_light_depth(view)) {
         const glm::ivec2 size = slide_picture_size(picture.width, picture.height);
         picture = fit(picture, size.x, size.y);
     }
@@ -113,7 +101,7 @@ bool is_black(const raster::Image& film) {
 /// What leads to the view alone; a light's shadow map is found on the way to the picture.
 scene::PlanRequest request_for(const scene::View* view) {
     if (!view) return {};
-    if (is_light_depth(view)) return {.prune = false};
+    if (scene::is_light_depth(view)) return {.prune = false};
     return {.views = {view}, .film = false};
 }
 
@@ -122,7 +110,7 @@ void check_view(const scene::RenderPlan& plan, const scene::Scene& scene, const 
     std::string why = "--view " + std::string(view.name) + ": this scene has nothing to show; it needs " +
                       std::string(view.requires_what);
     for (const scene::LeftOutPass& pass : plan.left_out) {
-        if (is_light_depth(&view) && pass.name == "shadows") why += "; here " + pass.why_not;
+        if (scene::is_light_depth(&view) && pass.name == "shadows") why += "; here " + pass.why_not;
     }
     throw UserError(why);
 }
@@ -199,7 +187,7 @@ void render_command(const RenderOptions& options) {
 
 std::string view_list() {
     std::string list = "Views:\n";
-    for (const scene::View* view : known_views()) {
+    for (const scene::View* view : scene::known_views()) {
         std::string line = "  " + std::string(view->name);
         line.resize(std::max<std::size_t>(line.size() + 2, 21), ' ');
         list += line + std::string(view->meaning) + "\n";

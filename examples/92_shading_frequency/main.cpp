@@ -1,6 +1,6 @@
 // 92_shading_frequency: flat, Gouraud and Phong shading against the number of triangles: what each misses.
 // Page docs/92_shading_frequency.md | After 24_shading, 90_what_a_scene_requires | New: code_error, FrequencyRow
-// Break at: measure_frequency_rows | Look at: rows | Try: shininess 4 or 200, detail 256
+// Break at: walk_frame | Look at: frame.plan.frequency | Try: shininess 4 or 200, detail 256
 #include <cstdio>
 #include <string>
 #include <vector>

@@ -5,10 +5,10 @@
 #include <filesystem>
 #include <fstream>
 #include <string_view>
-#include <system_error>
 #include <vector>
 
 #include "scene/files/file_content.hpp"
+#include "scene/files/obj_text.hpp"
 
 namespace kreda::scene {
 
@@ -16,21 +16,12 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr std::uintmax_t kMaxGltfBytes = std::uintmax_t(1) << 30;
 constexpr std::size_t kMaxDepth = 100;  // real files have about ten
 
 std::string read_file(const std::string& path) {
-    std::error_code failed;
-    const fs::file_status status = fs::status(path, failed);
-    if (!fs::exists(status)) throw UserError(Place{path}, "no such file");
-    if (fs::is_directory(status)) throw UserError(Place{path}, "is a folder; a file is needed");
-    if (!fs::is_regular_file(status)) throw UserError(Place{path}, "is not a regular file");
-    const std::uintmax_t size = fs::file_size(path, failed);
-    if (failed) throw UserError(Place{path}, "cannot be read: " + failed.message());
-    if (size > kMaxGltfBytes) throw UserError(Place{path}, "is larger than 1 GB; reduce the mesh or split it");
-    std::string bytes(static_cast<std::size_t>(size), '\0');
+    std::string bytes(size_of_mesh_file(path), '\0');
     std::ifstream stream(path, std::ios::binary);
-    stream.read(bytes.data(), static_cast<std::streamsize>(size));
+    stream.read(bytes.data(), static_cast<std::streamsize>(bytes.size()));
     if (!stream) throw UserError(Place{path}, "cannot be read; check its permissions");
     return bytes;
 }

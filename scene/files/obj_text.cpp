@@ -64,7 +64,7 @@ ObjText check_obj_text(const std::string& file, std::string bytes) {
     return text;
 }
 
-ObjText read_obj_text(const std::string& path) {
+std::size_t size_of_mesh_file(const std::string& path) {
     std::error_code failed;
     const fs::file_status status = fs::status(path, failed);
     if (!fs::exists(status)) throw UserError(Place{path}, "no such file");
@@ -73,7 +73,11 @@ ObjText read_obj_text(const std::string& path) {
     const std::uintmax_t size = fs::file_size(path, failed);
     if (failed) throw UserError(Place{path}, "cannot be read: " + failed.message());
     if (size > kMaxBytes) throw UserError(Place{path}, "is larger than 1 GB; reduce the mesh or split it");
-    return check_obj_text(path, read_bytes(path, static_cast<std::size_t>(size)));
+    return static_cast<std::size_t>(size);
+}
+
+ObjText read_obj_text(const std::string& path) {
+    return check_obj_text(path, read_bytes(path, size_of_mesh_file(path)));
 }
 
 void ObjWarnings::add(std::string_view kind, std::size_t offset, const std::string& message) {

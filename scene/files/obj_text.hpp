@@ -21,6 +21,9 @@ struct ObjText {
 
 /// Read a whole text file. Refuses folders, devices, files above 1 GB, UTF-16 and binary data; strips a UTF-8
 /// byte-order mark.
+/// Bytes of a mesh file of any format. Throws UserError for what is no file, and for more than 1 GB.
+[[nodiscard]] std::size_t size_of_mesh_file(const std::string& path);
+
 [[nodiscard]] ObjText read_obj_text(const std::string& path);
 
 /// The same checks on bytes that are there already.

@@ -32,6 +32,17 @@ const View& light_depth_view() {
     return view;
 }
 
+bool is_light_depth(const View* view) {
+    return view == &light_depth_view();
+}
+
+std::vector<const View*> known_views() {
+    std::vector<const View*> views;
+    for (const View& view : all_views()) views.push_back(&view);
+    views.push_back(&light_depth_view());
+    return views;
+}
+
 raster::Image light_depth(const RenderBuffers& buffers) {
     return map_distances(buffers.shadows.back().map);
 }

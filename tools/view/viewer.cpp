@@ -67,20 +67,9 @@ void keep_environment(const Scene& before, Scene& after) {
     if (is_same && before.environment.image) after.environment.image = before.environment.image;
 }
 
-std::vector<const scene::View*> known_views() {
-    std::vector<const scene::View*> views;
-    for (const scene::View& view : scene::all_views()) views.push_back(&view);
-    views.push_back(&scene::light_depth_view());
-    return views;
-}
-
-bool is_light_depth(const scene::View* view) {
-    return view == &scene::light_depth_view();
-}
-
 /// Everything that the scene names, whatever the camera sees: the plan serves until a value is changed.
 scene::PlanRequest request_for(const scene::View* view) {
-    if (!view || is_light_depth(view)) return {.prune = false};
+    if (!view || scene::is_light_depth(view)) return {.prune = false};
     return {.views = {view}, .film = false, .prune = false};
 }
 
@@ -91,7 +80,7 @@ Json json_of(const glm::dvec3& v) {
 Json views_of(const Viewer& viewer) {
     const scene::RenderPlan plan = make_plan_for(viewer.scene, request_for(nullptr));
     Json views = Json::array();
-    for (const scene::View* view : known_views()) {
+    for (const scene::View* view : scene::known_views()) {
         Json entry;
         entry["name"] = view->name;
         entry["meaning"] = view->meaning;
@@ -151,7 +140,7 @@ void put_film_on_screen(const raster::Image& film, const DisplayBytes& display, 
 /// What the display shows of the chosen view, 1 or 3 channels.
 raster::Image encoded_view(const Viewer& viewer) {
     const scene::RenderBuffers& buffers = viewer.buffers;
-    if (is_light_depth(viewer.view)) return picture_of(*viewer.view, light_depth(buffers), viewer.scene).encoded;
+    if (scene::is_light_depth(viewer.view)) return picture_of(*viewer.view, light_depth(buffers), viewer.scene).encoded;
     return picture_of(*viewer.view, buffers.views[0], viewer.scene).encoded;
 }
 
@@ -216,7 +205,7 @@ void set_size(Viewer& viewer, int width, int height, int samples) {
 
 void choose_view(Viewer& viewer, const std::string& name) {
     const scene::View* chosen = nullptr;
-    for (const scene::View* view : known_views()) {
+    for (const scene::View* view : scene::known_views()) {
         if (view->name == name) chosen = view;
     }
     if (!chosen && !name.empty()) throw UserError("there is no view '" + name + "'");
