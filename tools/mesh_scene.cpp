@@ -12,6 +12,7 @@
 
 #include "scene/files/gltf_text.hpp"
 #include "scene/files/loaded_files.hpp"
+#include "scene/files/obj_text.hpp"
 #include "scene/files/scene_keys.hpp"
 
 namespace kreda::tools {
@@ -180,10 +181,8 @@ constexpr const char* kStudio =
 }  // namespace
 
 bool is_mesh_file(const std::string& path) {
-    std::string extension = std::filesystem::path(path).extension().string();
-    std::transform(extension.begin(), extension.end(), extension.begin(),
-                   [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
-    return extension == ".obj" || scene::is_gltf_name(path);
+    const std::string extension = std::filesystem::path(path).extension().string();
+    return scene::in_lower_case(extension) == ".obj" || scene::is_gltf_name(path);
 }
 
 std::string scene_around_mesh(const std::string& path, const scene::LoadedMesh& loaded) {

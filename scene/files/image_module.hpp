@@ -33,9 +33,8 @@ struct ImageModule {
 /// folder of the build, for programs that were copied elsewhere.
 [[nodiscard]] std::vector<std::string> image_module_places();
 
-/// Open the first of these files that exists. It stays open to the end of
-/// the program. Throws UserError at `image` when there is none, when it (or OpenImageIO) cannot be loaded, and when it
-/// belongs to another build.
+/// Open the first of these files that exists. It stays open to the end of the program. Throws UserError at `image`
+/// when there is none, when it (or OpenImageIO) cannot be loaded, and when it belongs to another build.
 [[nodiscard]] const ImageModule& open_image_module(const std::vector<std::string>& places, const std::string& image);
 
 /// The bytes of an EXR file, by the module; the same image gives the same bytes. Throws UserError.

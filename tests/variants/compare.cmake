@@ -1,7 +1,7 @@
 # cmake -DPROGRAM=... -DSOURCE=... -DFOLDER=... -DVARIANT=name [-DBUILT=... | -DCOMPILER=... -DFLAGS=...] -P compare.cmake
 # Hashes from PROGRAM against those of the variant (the program BUILT, or one that is built here; VARIANT=kept: those
 # of tests/variants/hashes.txt), line by line; says
-# which scene differs first.
+# which scenes differ.
 
 function(run_hashes program out)
   execute_process(COMMAND ${program} ${ARGN} OUTPUT_VARIABLE text RESULT_VARIABLE code)
@@ -11,19 +11,7 @@ function(run_hashes program out)
   set(${out} "${text}" PARENT_SCOPE)
 endfunction()
 
-function(expect_same what expected actual)
-  if(expected STREQUAL actual)
-    message("${what}: the same bits")
-    return()
-  endif()
-  string(REPLACE "\n" ";" expected_lines "${expected}")
-  string(REPLACE "\n" ";" actual_lines "${actual}")
-  foreach(one other IN ZIP_LISTS expected_lines actual_lines)
-    if(NOT one STREQUAL other)
-      message(FATAL_ERROR "${what} differs first at:\n  ${one}\n  ${other}")
-    endif()
-  endforeach()
-endfunction()
+include(${CMAKE_CURRENT_LIST_DIR}/../same_lines.cmake)
 
 run_hashes(${PROGRAM} expected 2)
 if(VARIANT STREQUAL "threads")

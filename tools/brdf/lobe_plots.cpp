@@ -8,6 +8,7 @@
 #include "scene/files/image_file.hpp"
 #include "scene/files/read_scene.hpp"
 #include "scene/render/render.hpp"
+#include "tools/draw/gnuplot.hpp"
 #include "tools/write_file.hpp"
 
 namespace kreda::tools {
@@ -129,13 +130,6 @@ std::string row_script(const LobeModel& model, float roughness, int row, int row
     return text + place(4, row, rows) +
            "set title 'ball'\nunset tics\nunset border\nset autoscale\nset size ratio -1\nplot '" + ball +
            "' binary filetype=png with rgbimage notitle\nset size noratio\nset tics\nset border\n";
-}
-
-bool run_gnuplot(const std::string& script) {
-    std::FILE* const pipe = popen("gnuplot >/dev/null 2>&1", "w");
-    if (!pipe) return false;
-    const bool written = std::fwrite(script.data(), 1, script.size(), pipe) == script.size();
-    return pclose(pipe) == 0 && written;
 }
 
 }  // namespace

@@ -123,17 +123,17 @@ std::string settings(const Plot& plot, const std::string& title, const PlotLook&
            (plot.key.empty() ? "outside right" : plot.key) + " opaque fillcolor rgb paper\n";
 }
 
+}  // namespace
+
+bool has_gnuplot() {
+    return std::system("command -v gnuplot >/dev/null 2>&1") == 0;
+}
+
 bool run_gnuplot(const std::string& script) {
     std::FILE* pipe = popen("gnuplot >/dev/null 2>&1", "w");
     if (!pipe) return false;
     const bool written = std::fwrite(script.data(), 1, script.size(), pipe) == script.size();
     return pclose(pipe) == 0 && written;
-}
-
-}  // namespace
-
-bool has_gnuplot() {
-    return std::system("command -v gnuplot >/dev/null 2>&1") == 0;
 }
 
 std::string enhanced_text(const std::string& markup) {

@@ -12,6 +12,9 @@ namespace kreda::tools {
 
 [[nodiscard]] bool has_gnuplot();
 
+/// Let gnuplot do what the script says; what it prints is thrown away. False where it is absent or fails.
+[[nodiscard]] bool run_gnuplot(const std::string& script);
+
 /// How a plot is drawn; the size of its letters follows from that of the picture.
 struct PlotLook {
     glm::ivec2 size{900, 540};  ///< pixels

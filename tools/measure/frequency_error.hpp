@@ -14,7 +14,7 @@ namespace kreda::tools {
 /// In the order of scene::ShadingFrequency.
 inline constexpr std::array<const char*, 3> kFrequencyNames = {"flat", "gouraud", "phong"};
 
-/// A shiny ball of detail x 2 detail faces under one lamp, 2 x 2 samples a pixel. `frequency` as in kFrequencyNames.
+/// A shiny ball, `detail` segments around, under one lamp, 2 x 2 samples a pixel. `frequency` as in kFrequencyNames.
 [[nodiscard]] scene::Scene shiny_ball(std::size_t frequency, int detail, glm::ivec2 size = {320, 320});
 
 /// One frequency at one detail, against Phong shading of detail 512.

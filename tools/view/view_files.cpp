@@ -6,6 +6,7 @@
 #include <sstream>
 
 #include "lighting/batch/maps.hpp"
+#include "scene/files/obj_text.hpp"
 #include "tools/mesh_scene.hpp"
 #include "tools/write_file.hpp"
 
@@ -18,12 +19,6 @@ namespace fs = std::filesystem;
 bool is_file(const fs::path& path) {
     std::error_code failed;
     return fs::is_regular_file(path, failed);
-}
-
-std::string in_lower_case(std::string text) {
-    std::transform(text.begin(), text.end(), text.begin(),
-                   [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
-    return text;
 }
 
 /// Files of materials that an OBJ names. Where a name leads nowhere the reader looks for others like it: then all go.
@@ -45,13 +40,13 @@ void add_material_files(const fs::path& mesh, std::set<fs::path>& paths) {
     std::error_code failed;
     const fs::path folder = mesh.has_parent_path() ? mesh.parent_path() : fs::path(".");
     for (const fs::directory_entry& entry : fs::directory_iterator(folder, failed)) {
-        if (in_lower_case(entry.path().extension().string()) == ".mtl")
+        if (scene::in_lower_case(entry.path().extension().string()) == ".mtl")
             paths.insert(mesh.parent_path() / entry.path().filename());
     }
 }
 
 void check_image(const fs::path& path) {
-    const std::string ending = in_lower_case(path.extension().string());
+    const std::string ending = scene::in_lower_case(path.extension().string());
     for (const char* known : {".png", ".jpg", ".jpeg", ".tga", ".bmp", ".hdr"}) {
         if (ending == known) return;
     }

@@ -65,7 +65,7 @@ glm::vec3 shade_pixel(const StageRow& row) {
     return glm::vec3(0.0f);
 }
 
-/// LitCorners on the screen are clockwise as they are seen; the course's are counter-clockwise.
+/// Corners on the screen are clockwise as they are seen; the course's are counter-clockwise.
 constexpr std::size_t kOrder[3] = {0, 2, 1};
 
 void add_corners(TableBuilder& builder, const SceneRecord& record, const SeenPoint& p, bool with_normals) {
