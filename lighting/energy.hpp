@@ -4,25 +4,15 @@
 // toward a viewer with n.v = mu. The rest, 1 - E, hit another facet; D V F stops there. At roughness 1 that is 59 %.
 #pragma once
 
-#include <array>
 #include <cmath>
 
 #include <glm/vec3.hpp>
 
 #include "lighting/material.hpp"
+#include "lighting/tables.hpp"
 #include "raster/scalar_math.hpp"
 
 namespace kreda::lighting {
-
-/// Nodes a side of the table of directional albedo.
-inline constexpr int kEnergyNodes = 31;
-
-/// E at the nodes mu = (i / 30)^2, roughness = j / 30, and its average. Computed once by compute_energy_table.
-/// The square puts nodes where E bends: near grazing.
-struct EnergyTable {
-    std::array<float, kEnergyNodes * kEnergyNodes> E{};  ///< E[j * kEnergyNodes + i]
-    std::array<float, kEnergyNodes> E_avg{};             ///< 2 int_0^1 E(mu) mu dmu of each roughness
-};
 
 /// One table for one pair of D and G. 20 ms; the same bits on every machine.
 [[nodiscard]] EnergyTable compute_energy_table(Distribution distribution, Geometry geometry);

@@ -10,10 +10,10 @@
 
 #include <cmath>
 #include <functional>
-#include <vector>
 
 #include <glm/vec3.hpp>
 
+#include "lighting/tables.hpp"
 #include "raster/scalar_math.hpp"
 
 namespace kreda::lighting {
@@ -201,16 +201,6 @@ inline float fresnel_lookup(float c, const float* values, int size) {
     const int i = truncated < size - 2 ? truncated : size - 2;
     return raster::lerp(values[i], values[i + 1], x - static_cast<float>(i));
 }
-
-/// One table for each channel, samples at c = i / (size - 1).
-struct FresnelTable {
-    std::vector<float> r, g, b;
-
-    /// Number of entries.
-    [[nodiscard]] int size() const {
-        return static_cast<int>(r.size());
-    }
-};
 
 /// F at c in [0, 1], linear between the entries of the table.
 inline glm::vec3 fresnel_lookup(float c, const FresnelTable& table) {

@@ -3,6 +3,10 @@
 #include <algorithm>
 #include <cmath>
 
+#include <glm/trigonometric.hpp>
+
+#include "lighting/light_sample.hpp"
+
 namespace kreda::lighting {
 
 LightSetup prepare(const Light& light) {

@@ -11,6 +11,7 @@
 #include <glm/vec3.hpp>
 
 #include "lighting/fresnel.hpp"
+#include "lighting/tables.hpp"
 
 namespace kreda::lighting {
 
@@ -64,8 +65,6 @@ struct ObserverSample {
 /// 400 to 700 nm in steps of 10 nm.
 [[nodiscard]] std::span<const ObserverSample> observer_samples();
 
-/// A number for each of the observer's wavelengths.
-inline constexpr int kSpectrumSamples = 31;
 /// A value for each of the observer's wavelengths.
 using Spectrum = std::array<double, kSpectrumSamples>;
 
@@ -78,14 +77,6 @@ using Spectrum = std::array<double, kSpectrumSamples>;
 
 /// Its colour: the oracle.
 [[nodiscard]] glm::vec3 spectral_fresnel(const MeasuredMaterial& material, float c);
-
-/// What an exact spectral F needs in a batch loop: n + i k at the observer's wavelengths, relative to the medium before
-/// the surface, and the colour of each wavelength as it comes to linear sRGB. The colours add up to white.
-struct SpectralIndex {
-    std::array<float, kSpectrumSamples> n{};
-    std::array<float, kSpectrumSamples> k{};
-    std::array<glm::vec3, kSpectrumSamples> color{};
-};
 
 /// What one wavelength adds to the colour   color F(c, n, k)
 inline glm::vec3 reflected_at(float c, const glm::vec3& color, float n, float k) {

@@ -4,7 +4,6 @@
 #include <memory>
 #include <string>
 
-#include "lighting/batch/environment_passes.hpp"
 #include "lighting/environment/bake_cost.hpp"
 #include "lighting/environment/environment.hpp"
 #include "lighting/environment/environment_image.hpp"

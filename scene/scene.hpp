@@ -10,7 +10,7 @@
 #include <glm/vec2.hpp>
 #include <glm/vec3.hpp>
 
-#include "lighting/fog.hpp"
+#include "lighting/fog_settings.hpp"
 #include "lighting/light.hpp"
 #include "lighting/material.hpp"
 #include "raster/camera.hpp"

@@ -3,6 +3,7 @@
 // Break at: fog_exp | Look at: z_p, optical_depth | Try: density 0.3, start 8
 #include "examples/lit_scene.hpp"
 #include "examples/plots.hpp"
+#include "lighting/fog.hpp"
 
 using namespace kreda;
 using namespace kreda::examples;

@@ -10,6 +10,7 @@
 #include "examples/sphere_views.hpp"
 #include "lighting/environment/environment_image.hpp"
 #include "lighting/importance.hpp"
+#include "lighting/microfacet.hpp"
 #include "scene/render/render.hpp"
 #include "tools/measure/irradiance_error.hpp"
 #include "tools/measure/prefilter_levels.hpp"

@@ -2,7 +2,6 @@
 #pragma once
 
 #include "lighting/environment/texel_taps.hpp"
-#include "lighting/reflection.hpp"
 #include "raster/fragments.hpp"
 
 namespace kreda::lighting {
@@ -62,18 +61,5 @@ struct LightingChannels {
     MicrofacetChannels microfacet;
     EnvironmentChannels environment;
 };
-
-/// The way to the light that is being added, unit, at point i: l and n.l. Requires n.
-inline void set_direction_to_light(LightingChannels& c, int i, const glm::vec3& l) {
-    c.l.set(i, l);
-    c.n_dot_l.set(i, glm::dot(c.n.at(i), l));
-}
-
-/// Add one light's reflection at point i to the sums.
-inline void add_terms(LightingChannels& c, int i, const ReflectedTerms& terms) {
-    const glm::vec3 s = c.irradiance.at(i);
-    c.diffuse.set(i, c.diffuse.at(i) + s * terms.diffuse);
-    c.specular.set(i, c.specular.at(i) + s * terms.specular);
-}
 
 }  // namespace kreda::lighting

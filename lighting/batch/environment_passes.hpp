@@ -11,15 +11,6 @@ namespace kreda::lighting {
 
 struct MaterialSetup;
 
-/// The environment as it stands in the scene.
-struct EnvironmentSetup {
-    const EnvironmentMaps* maps = nullptr;  ///< nullptr: there is none
-    float cos_rotation = 1.0f;              ///< of the environment about +y
-    float sin_rotation = 0.0f;
-    float intensity = 1.0f;
-    int reference_samples = 0;  ///< 0: the split sum; else samples a point of the integral itself
-};
-
 /// What the environment adds to channels.ambient, after start_lighting and before the lights.
 ///   cook_torrance   ao (k_d c E / pi + P (F0 A + B)),   k_d = (1 - F(n.v))(1 - metallic)           Karis 2013;
 ///   Gelemanovic 2018, 3 Lambert and the other empirical models   m_D E / pi: diffuse light only, their highlights are

@@ -1,5 +1,6 @@
 #include "lighting/batch/environment_reference.hpp"
 
+#include "lighting/batch/add_light.hpp"
 #include "lighting/batch/microfacet_passes.hpp"
 #include "lighting/environment/light_table.hpp"
 #include "lighting/importance.hpp"

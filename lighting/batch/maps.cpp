@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 
+#include "lighting/cook_torrance.hpp"
 #include "lighting/normal_map.hpp"
 #include "raster/platform.hpp"
 #include "raster/texture_passes.hpp"

@@ -6,11 +6,12 @@
 #include <string_view>
 
 #include "lighting/batch/channels.hpp"
-#include "lighting/cook_torrance.hpp"
 #include "lighting/material.hpp"
 #include "raster/fragments.hpp"
 
 namespace kreda::lighting {
+
+struct CookTorranceSetup;
 
 /// What the values of a map's file mean.
 enum class MapKind {

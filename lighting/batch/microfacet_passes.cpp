@@ -1,5 +1,6 @@
 #include "lighting/batch/microfacet_passes.hpp"
 
+#include "lighting/batch/add_light.hpp"
 #include "raster/platform.hpp"
 
 namespace kreda::lighting {

@@ -1,6 +1,7 @@
 // The loop that the local models share: one formula over a batch, its m_D a constant or a map's.
 #pragma once
 
+#include "lighting/batch/add_light.hpp"
 #include "lighting/batch/channels.hpp"
 #include "lighting/material.hpp"
 

@@ -1,8 +1,13 @@
 #include "lighting/batch/passes.hpp"
 
+#include "lighting/batch/add_light.hpp"
+#include "lighting/batch/environment_passes.hpp"
 #include "lighting/batch/microfacet_passes.hpp"
 #include "lighting/batch/model_loop.hpp"
 #include "lighting/batch/ward_passes.hpp"
+#include "lighting/fog.hpp"
+#include "lighting/light_sample.hpp"
+#include "lighting/reflect.hpp"
 #include "lighting/reflection.hpp"
 #include "raster/platform.hpp"
 

@@ -1,43 +1,15 @@
 // Lighting a batch of points: one pass after another, each a loop over one formula, each leaving a named channel.
 #pragma once
 
-#include <span>
-
 #include <glm/vec3.hpp>
 
 #include "lighting/batch/channels.hpp"
-#include "lighting/batch/environment_passes.hpp"
-#include "lighting/batch/maps.hpp"
-#include "lighting/cook_torrance.hpp"
-#include "lighting/fog.hpp"
-#include "lighting/light.hpp"
-#include "lighting/material.hpp"
-#include "lighting/reflect.hpp"
+#include "lighting/batch/setup.hpp"
 #include "raster/fragments.hpp"
 
 namespace kreda::lighting {
 
-/// A material made ready for a frame: what its model computes once.
-struct MaterialSetup {
-    Material material;
-    CookTorranceSetup cook_torrance;  ///< only for model = cook_torrance
-    MaterialMaps maps;                ///< those that its model reads
-    MapNeeds map_needs;
-};
-
-/// What does not change from point to point of a material.
-[[nodiscard]] MaterialSetup prepare(const Material& material);
-
-/// What is the same for all points of a frame.
-struct LightingSetup {
-    glm::vec3 eye{0.0f};        ///< world space
-    glm::vec3 forward{0.0f};    ///< unit, into the scene, world space
-    bool orthographic = false;  ///< then v is the same everywhere: -forward
-    glm::vec3 ambient{0.0f};    ///< s_A
-    std::span<const LightSetup> lights;
-    EnvironmentSetup environment;
-    Fog fog;
-};
+struct PointMaterial;
 
 // The lecture's equation,  radiance = ambient + sum over lights of shadow (diffuse + specular),  is these in turn:
 // start_surface; apply_maps where there are some; set_directions; add_environment where there is one; for each light

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <memory>
 
+#include "lighting/batch/add_light.hpp"
 #include "lighting/batch/microfacet_passes.hpp"
 #include "lighting/importance.hpp"
 #include "raster/platform.hpp"

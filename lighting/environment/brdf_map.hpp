@@ -5,7 +5,6 @@
 
 #include <vector>
 
-#include "lighting/energy.hpp"
 #include "lighting/environment/progress.hpp"
 #include "lighting/environment/texel_taps.hpp"
 #include "lighting/material.hpp"

@@ -52,6 +52,15 @@ struct EnvironmentMaps {
     std::vector<BrdfMap> brdf;
 };
 
+/// The environment as it stands in the scene.
+struct EnvironmentSetup {
+    const EnvironmentMaps* maps = nullptr;  ///< nullptr: there is none
+    float cos_rotation = 1.0f;              ///< of the environment about +y
+    float sin_rotation = 0.0f;
+    float intensity = 1.0f;
+    int reference_samples = 0;  ///< 0: the split sum; else samples a point of the integral itself
+};
+
 /// Bake what is asked for. `radiance` has all its mip levels; it may be empty where only BRDF maps are asked for.
 /// `samples`: of the roughest level (PrefilterSettings).
 [[nodiscard]] EnvironmentMaps bake_environment(const CubeMap& radiance, const EnvironmentNeeds& needs, int samples,

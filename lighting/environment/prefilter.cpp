@@ -5,6 +5,7 @@
 #include <memory>
 
 #include "lighting/importance.hpp"
+#include "lighting/microfacet.hpp"
 #include "raster/platform.hpp"
 
 namespace kreda::lighting {

@@ -7,7 +7,7 @@
 
 #include "lighting/environment/cube_map.hpp"
 #include "lighting/environment/progress.hpp"
-#include "lighting/microfacet.hpp"
+#include "raster/scalar_math.hpp"
 
 namespace kreda::lighting {
 

@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "lighting/batch/maps.hpp"
+#include "lighting/microfacet.hpp"
 #include "scene/microfacet_material.hpp"
 #include "scene/plan/pass_functions.hpp"
 

@@ -5,6 +5,8 @@
 
 #include <glm/geometric.hpp>
 
+#include "lighting/light_sample.hpp"
+
 namespace kreda::scene {
 
 namespace {

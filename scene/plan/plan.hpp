@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-#include "lighting/batch/passes.hpp"
+#include "lighting/batch/setup.hpp"
 #include "raster/fragments.hpp"
 #include "raster/triangle_setup.hpp"
 #include "raster/vertex_stage.hpp"

@@ -6,7 +6,7 @@
 
 #include <glm/mat4x4.hpp>
 
-#include "lighting/batch/passes.hpp"
+#include "lighting/batch/setup.hpp"
 #include "scene/plan/plan.hpp"
 #include "scene/scene.hpp"
 

@@ -1,5 +1,6 @@
 #include "scene/render/shade.hpp"
 
+#include "lighting/batch/environment_passes.hpp"
 #include "scene/plan/pass_functions.hpp"
 #include "scene/render/pass_work.hpp"
 #include "scene/render/shadow_pass.hpp"

@@ -10,6 +10,7 @@
 #include "course.hpp"
 #include "examples/draw.hpp"
 #include "lighting/light.hpp"
+#include "lighting/light_sample.hpp"
 #include "lighting/reflection.hpp"
 #include "raster/film.hpp"
 #include "raster/shapes.hpp"

@@ -8,6 +8,7 @@
 #include "course.hpp"
 #include "lighting/fresnel.hpp"
 #include "lighting/light.hpp"
+#include "lighting/light_sample.hpp"
 #include "lighting/microfacet.hpp"
 #include "lighting/reflection.hpp"
 

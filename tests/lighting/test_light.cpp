@@ -5,6 +5,7 @@
 #include <doctest/doctest.h>
 
 #include "lighting/light.hpp"
+#include "lighting/light_sample.hpp"
 
 using namespace kreda::lighting;
 

@@ -6,6 +6,7 @@
 #include <doctest/doctest.h>
 
 #include "lighting/batch/passes.hpp"
+#include "lighting/light_sample.hpp"
 #include "lighting/microfacet_choices.hpp"
 #include "lighting/reflect.hpp"
 #include "lighting/ward.hpp"

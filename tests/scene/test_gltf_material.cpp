@@ -6,6 +6,7 @@
 #include <doctest/doctest.h>
 #include <glm/geometric.hpp>
 
+#include "lighting/light_sample.hpp"
 #include "scene/files/gltf_material.hpp"
 #include "scene/files/load_maps.hpp"
 #include "tests/scene/gltf_maker.hpp"

@@ -5,6 +5,7 @@
 
 #include "lighting/fog.hpp"
 #include "lighting/light.hpp"
+#include "lighting/light_sample.hpp"
 #include "raster/film.hpp"
 #include "tests/stability/formula_sweep.hpp"
 

@@ -7,6 +7,7 @@
 #include <glm/geometric.hpp>
 
 #include "lighting/light.hpp"
+#include "lighting/light_sample.hpp"
 #include "lighting/reflection.hpp"
 #include "scene/files/scene_keys.hpp"
 #include "scene/plan/pass_functions.hpp"

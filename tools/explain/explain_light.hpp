@@ -5,6 +5,7 @@
 #include <string>
 
 #include "lighting/batch/channels.hpp"
+#include "lighting/reflection.hpp"
 #include "scene/render/frame.hpp"
 #include "tools/explain/derivation.hpp"
 

@@ -4,6 +4,7 @@
 #include <glm/geometric.hpp>
 
 #include "lighting/batch/passes.hpp"
+#include "lighting/reflect.hpp"
 #include "lighting/reflection.hpp"
 #include "lighting/ward.hpp"
 #include "tools/explain/explain_light.hpp"

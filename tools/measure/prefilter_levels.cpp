@@ -2,6 +2,8 @@
 
 #include <glm/geometric.hpp>
 
+#include "lighting/microfacet.hpp"
+
 namespace kreda::tools {
 
 namespace {

@@ -4,6 +4,7 @@
 #include <glm/geometric.hpp>
 
 #include "lighting/light.hpp"
+#include "lighting/light_sample.hpp"
 #include "lighting/reflection.hpp"
 #include "tools/grade/assignment/assignment.hpp"
 #include "tools/grade/assignment/light_columns.hpp"

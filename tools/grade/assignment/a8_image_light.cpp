@@ -6,6 +6,7 @@
 #include "lighting/environment/environment_image.hpp"
 #include "lighting/environment/sky.hpp"
 #include "lighting/importance.hpp"
+#include "lighting/microfacet.hpp"
 #include "lighting/reflection.hpp"
 #include "tools/grade/assignment/assignment.hpp"
 #include "tools/grade/assignment/light_columns.hpp"
