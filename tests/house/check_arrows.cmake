@@ -1,5 +1,6 @@
 # cmake -DSOURCE=folder -P check_arrows.cmake
 # Every #include of a room leads to itself or to a room that its arrow may reach (README.md, "The rooms").
+cmake_minimum_required(VERSION 3.22)
 set(outside_libraries "OpenImageIO|tiny_obj_loader|toml\\+\\+|CLI/|nlohmann|png\\.h|zlib\\.h")
 set(raster_forbids "lighting/|shadows/|scene/|tools/|examples/|tests/|${outside_libraries}")
 set(lighting_forbids "shadows/|scene/|tools/|examples/|tests/|${outside_libraries}")
@@ -30,3 +31,25 @@ endforeach()
 if(wrong)
   message(FATAL_ERROR "arrows that lead the wrong way:\n${wrong}")
 endif()
+
+# What carries a scene through the program reaches no formula of lighting, so that whoever changes one waits for what
+# computes with it alone. The headers of data are these:
+set(lighting_data material light fog_settings tables cook_torrance_setup)
+set(reached scene/scene.hpp scene/plan/plan.hpp scene/render/frame.hpp)
+set(to_read ${reached})
+while(to_read)
+  list(POP_FRONT to_read name)
+  file(STRINGS ${SOURCE}/${name} lines REGEX "^#include \"")
+  foreach(line ${lines})
+    string(REGEX REPLACE "^#include \"(.*)\".*" "\\1" included "${line}")
+    if(NOT included IN_LIST reached)
+      list(APPEND reached ${included})
+      list(APPEND to_read ${included})
+    endif()
+  endforeach()
+endwhile()
+foreach(name ${reached})
+  if(name MATCHES "^lighting/([a-z_]+)\\.hpp$" AND NOT CMAKE_MATCH_1 IN_LIST lighting_data)
+    message(FATAL_ERROR "scene/scene.hpp, scene/plan/plan.hpp or scene/render/frame.hpp reaches the formulas of ${name}")
+  endif()
+endforeach()
