@@ -1,6 +1,6 @@
 // The constants of Cook and Torrance's model as plain data: what is computed once for a material. The formulas are
-// lighting/cook_torrance.hpp and what it includes: the data stand apart, so that whoever changes a formula need not wait
-// until everything that carries a material is compiled again.
+// lighting/cook_torrance.hpp and what it includes: the data stand apart, so that whoever changes a formula need not
+// wait until everything that carries a material is compiled again.
 #pragma once
 
 #include <glm/vec3.hpp>
