@@ -189,7 +189,8 @@ std::string left_out_line(const std::string& file, const LeftOut& left_out) {
 }  // namespace
 
 LoadedMesh load_gltf_file(const std::string& path, const MeshFileOptions& options) {
-    const GltfFile gltf = read_gltf_file(path, {folder_of(path), options.allow_outside});
+    LoadedMesh loaded;
+    const GltfFile gltf = read_gltf_file(path, {folder_of(path), options.allow_outside, &loaded.other_files});
     LeftOut left_out;
     check_extensions(gltf, left_out);
     GltfMaterials materials = read_gltf_materials(gltf, left_out);
@@ -197,7 +198,6 @@ LoadedMesh load_gltf_file(const std::string& path, const MeshFileOptions& option
     Assembly assembly{gltf, materials, std::move(left_out)};
     for (const PlacedNode& placed : nodes) assembly.add_node(placed);
 
-    LoadedMesh loaded;
     loaded.cameras = read_gltf_cameras(gltf, nodes, assembly.warnings);
     loaded.lights = read_gltf_lights(gltf, nodes, assembly.left_out, assembly.warnings);
     if (assembly.mesh.indices.empty()) {

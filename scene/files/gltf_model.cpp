@@ -41,6 +41,8 @@ std::string same_path(const std::string& name, void*) {
 
 bool read_buffer(std::vector<unsigned char>* out, std::string* error, const std::string& name, void* file) {
     const std::string path = buffer_path(name, file);
+    const NamedFileLimits& limits = static_cast<const GltfFile*>(file)->limits;
+    if (limits.used) limits.used->push_back(use_file(path));
     std::error_code failed;
     const std::uintmax_t size = std::filesystem::file_size(path, failed);
     if (failed || size > kMaxBufferBytes || !std::filesystem::is_regular_file(path, failed)) {

@@ -187,7 +187,10 @@ TEST_CASE("the page carries meshes, their materials and their maps under names t
     folder.write("meshes/paint.mtl", "newmtl red\nKd 1 0 0\n");
     folder.write("scenes/a.toml", "[[light]]\n[[object]]\nmesh = \"../meshes/a.obj\"\n");
     const std::string path = folder.file("scenes/a.toml");
-    const CarriedScene carried = files_of_scene(scene::read_scene(path), path);
+    scene::LoadedFiles loaded;
+    scene::ReadOptions options;
+    options.files = &loaded;
+    const CarriedScene carried = files_of_scene(scene::read_scene(path, options), path, loaded);
     CHECK(carried.path == "a.toml");
     CHECK(carried.folder == "up");
     CHECK(carried.files.size() == 3);
@@ -195,7 +198,7 @@ TEST_CASE("the page carries meshes, their materials and their maps under names t
         CAPTURE(name);
         CHECK(has_file(carried, name));
     }
-    CHECK(files_of_scene(scene::read_scene_text(scene::built_in_scene_text(), "built-in", ""), "").files.empty());
+    CHECK(files_of_scene(scene::read_scene_text(scene::built_in_scene_text(), "built-in", ""), "", {}).files.empty());
 }
 
 TEST_CASE("nothing in a scene ends the script that holds it") {

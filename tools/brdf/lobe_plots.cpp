@@ -128,8 +128,9 @@ std::string row_script(const LobeModel& model, float roughness, int row, int row
             curves(row, "1:2", false, reflectances) + "unset logscale y\nset xtics autofreq\n";
     for (int i = 0; i < 2; ++i) text += lobe_panel(row, rows, i);
     return text + place(4, row, rows) +
-           "set title 'ball'\nunset tics\nunset border\nset autoscale\nset size ratio -1\nplot '" + ball +
-           "' binary filetype=png with rgbimage notitle\nset size noratio\nset tics\nset border\n";
+           "set title 'ball'\nunset tics\nunset border\nset autoscale\nset size ratio -1\nplot " +
+           in_gnuplot_quotes(ball) +
+           " binary filetype=png with rgbimage notitle\nset size noratio\nset tics\nset border\n";
 }
 
 }  // namespace
@@ -192,8 +193,8 @@ bool write_figure(const LobeModel& model, const std::string& folder) {
     const std::vector<float> roughnesses = rows_of(model);
     const int rows = static_cast<int>(roughnesses.size());
     std::string script = "set terminal pngcairo noenhanced font ',8' size " + std::to_string(kWidth) + "," +
-                         std::to_string(kRowHeight * rows + 40) + "\nset output '" + stem +
-                         ".png'\nset grid\nset key bottom center samplen 2\nset multiplot title '" +
+                         std::to_string(kRowHeight * rows + 40) + "\nset output " + in_gnuplot_quotes(stem + ".png") +
+                         "\nset grid\nset key bottom center samplen 2\nset multiplot title '" +
                          std::string(model.title) + "' font ',12'\n";
     std::vector<std::string> balls;
     for (int row = 0; row < rows; ++row) {

@@ -23,13 +23,6 @@ std::string number(double value) {
     return text;
 }
 
-/// Between single quotes, as gnuplot reads it.
-std::string in_gnuplot_quotes(const std::string& text) {
-    std::string quoted = "'";
-    for (const char c : text) quoted += c == '\'' ? std::string("''") : std::string(1, c == '\n' ? ' ' : c);
-    return quoted + "'";
-}
-
 std::string quoted(const std::string& markup) {
     return in_gnuplot_quotes(enhanced_text(markup));
 }
@@ -124,6 +117,12 @@ std::string settings(const Plot& plot, const std::string& title, const PlotLook&
 }
 
 }  // namespace
+
+std::string in_gnuplot_quotes(const std::string& text) {
+    std::string quoted = "'";
+    for (const char c : text) quoted += c == '\'' ? std::string("''") : std::string(1, c == '\n' ? ' ' : c);
+    return quoted + "'";
+}
 
 bool has_gnuplot() {
     return std::system("command -v gnuplot >/dev/null 2>&1") == 0;

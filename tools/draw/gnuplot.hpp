@@ -15,6 +15,9 @@ namespace kreda::tools {
 /// Let gnuplot do what the script says; what it prints is thrown away. False where it is absent or fails.
 [[nodiscard]] bool run_gnuplot(const std::string& script);
 
+/// A text between single quotes, as gnuplot reads it, in one line.
+[[nodiscard]] std::string in_gnuplot_quotes(const std::string& text);
+
 /// How a plot is drawn; the size of its letters follows from that of the picture.
 struct PlotLook {
     glm::ivec2 size{900, 540};  ///< pixels

@@ -7,6 +7,7 @@
 #include <CLI/CLI.hpp>
 
 #include "scene/error.hpp"
+#include "scene/files/loaded_files.hpp"
 #include "tools/commands.hpp"
 #include "tools/scene_options.hpp"
 #include "tools/view/view_page.hpp"
@@ -51,12 +52,14 @@ std::vector<std::string> changes(const ViewOptions& options, const scene::Scene&
     return all;
 }
 
-void view_command(const ViewOptions& options) {
+void view_command(ViewOptions options) {
     const std::string path = output_path(options);
     check_output(path);
     const std::string page = read_view_page(view_page_places());
+    scene::LoadedFiles loaded;
+    options.scene.read.files = &loaded;
     const scene::Scene scene = load_scene(options.scene);
-    const CarriedScene carried = files_of_scene(scene, options.scene.file);
+    const CarriedScene carried = files_of_scene(scene, options.scene.file, loaded);
     const std::string text = page_with_scene(page, carried, {changes(options, scene), options.controls});
     write_file(path, text);
     std::cerr << "wrote " << path << " (" << text.size() / 1000 << " kB, " << carried.files.size()

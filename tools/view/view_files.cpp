@@ -3,12 +3,10 @@
 #include <algorithm>
 #include <filesystem>
 #include <set>
-#include <sstream>
 
 #include "lighting/batch/maps.hpp"
 #include "scene/files/obj_text.hpp"
 #include "tools/mesh_scene.hpp"
-#include "tools/write_file.hpp"
 
 namespace kreda::tools {
 
@@ -21,30 +19,6 @@ bool is_file(const fs::path& path) {
     return fs::is_regular_file(path, failed);
 }
 
-/// Files of materials that an OBJ names. Where a name leads nowhere the reader looks for others like it: then all go.
-void add_material_files(const fs::path& mesh, std::set<fs::path>& paths) {
-    std::istringstream text(bytes_of_file(mesh.string()));
-    bool is_lost = false, is_named = false;
-    for (std::string line; std::getline(text, line);) {
-        if (!line.starts_with("mtllib")) continue;
-        is_named = true;
-        std::string name = line.substr(std::min<std::size_t>(7, line.size()));
-        name.erase(name.find_last_not_of(" \t\r") + 1);
-        const fs::path file = mesh.parent_path() / name;
-        if (is_file(file))
-            paths.insert(file);
-        else
-            is_lost = true;
-    }
-    if (!is_named || !is_lost) return;
-    std::error_code failed;
-    const fs::path folder = mesh.has_parent_path() ? mesh.parent_path() : fs::path(".");
-    for (const fs::directory_entry& entry : fs::directory_iterator(folder, failed)) {
-        if (scene::in_lower_case(entry.path().extension().string()) == ".mtl")
-            paths.insert(mesh.parent_path() / entry.path().filename());
-    }
-}
-
 void check_image(const fs::path& path) {
     const std::string ending = scene::in_lower_case(path.extension().string());
     for (const char* known : {".png", ".jpg", ".jpeg", ".tga", ".bmp", ".hdr"}) {
@@ -54,7 +28,7 @@ void check_image(const fs::path& path) {
                            "cannot be read in a browser; convert it to .png, .jpg, .tga, .bmp or .hdr");
 }
 
-std::set<fs::path> paths_of(const scene::Scene& scene, const fs::path& folder) {
+std::set<fs::path> paths_of(const scene::Scene& scene, const fs::path& folder, const scene::LoadedFiles& loaded) {
     std::set<fs::path> meshes, images;
     for (const scene::Object& object : scene.objects) {
         const fs::path mesh = folder / object.mesh_name;
@@ -69,9 +43,10 @@ std::set<fs::path> paths_of(const scene::Scene& scene, const fs::path& folder) {
     if (!scene.environment.file.empty()) images.insert(folder / scene.environment.file);
     for (const fs::path& image : images) check_image(image);
     std::set<fs::path> paths = images;
-    for (const fs::path& mesh : meshes) {
-        paths.insert(mesh);
-        add_material_files(mesh, paths);
+    paths.insert(meshes.begin(), meshes.end());
+    for (const scene::UsedFile& used : loaded.used) {
+        const bool is_material_file = scene::in_lower_case(fs::path(used.path).extension().string()) == ".mtl";
+        if (is_material_file && is_file(used.path)) paths.insert(used.path);
     }
     return paths;
 }
@@ -94,10 +69,10 @@ bool names_whole_paths(const scene::Scene& scene) {
 
 }  // namespace
 
-CarriedScene files_of_scene(const scene::Scene& scene, const std::string& path) {
+CarriedScene files_of_scene(const scene::Scene& scene, const std::string& path, const scene::LoadedFiles& loaded) {
     if (path.empty()) return {};
     const fs::path folder = fs::path(path).parent_path();
-    std::set<fs::path> paths = paths_of(scene, folder);
+    std::set<fs::path> paths = paths_of(scene, folder, loaded);
     paths.insert(path);
     const fs::path whole_folder = fs::absolute(folder.empty() ? "." : folder).lexically_normal();
     const bool is_whole = !is_mesh_file(path) && names_whole_paths(scene);

@@ -4,6 +4,7 @@
 #include <string>
 #include <vector>
 
+#include "scene/files/loaded_files.hpp"
 #include "scene/scene.hpp"
 
 namespace kreda::tools {
@@ -20,8 +21,10 @@ struct CarriedScene {
 };
 
 /// Meshes, their materials, maps and the environment of a scene that was read from `path` (a scene file or a mesh;
-/// empty: built in). Relative paths in the files lead to the same files in the page; names of folders above the scene's
-/// are not told unless a file says them. Throws UserError for an image that the page cannot read.
-[[nodiscard]] CarriedScene files_of_scene(const scene::Scene& scene, const std::string& path);
+/// empty: built in) with this store, which knows what else was looked at. Relative paths in the files lead to the same
+/// files in the page; names of folders above the scene's are not told unless a file says them. Throws UserError for an
+/// image that the page cannot read.
+[[nodiscard]] CarriedScene files_of_scene(const scene::Scene& scene, const std::string& path,
+                                          const scene::LoadedFiles& loaded);
 
 }  // namespace kreda::tools
