@@ -6,6 +6,7 @@
 
 #include <doctest/doctest.h>
 #include <glm/geometric.hpp>
+#include <glm/trigonometric.hpp>
 
 #include "course.hpp"
 #include "examples/table_scene.hpp"

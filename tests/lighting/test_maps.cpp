@@ -5,6 +5,7 @@
 #include <random>
 
 #include "lighting/batch/passes.hpp"
+#include "lighting/microfacet.hpp"
 #include "raster/texture.hpp"
 
 using namespace kreda;

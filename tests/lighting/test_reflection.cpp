@@ -5,6 +5,7 @@
 #include <doctest/doctest.h>
 
 #include "lighting/batch/passes.hpp"
+#include "lighting/reflect.hpp"
 #include "lighting/reflection.hpp"
 
 using namespace kreda;
