@@ -186,6 +186,46 @@ inline void draw_rows(const TileTriangle& t, std::uint32_t id, const TileArea& a
     }
 }
 
+/// A hierarchy of two levels: the depth of each sample, and one that none of the tile's lies behind. A triangle that is
+/// nowhere nearer than that is hidden, and its samples are not asked.                    after Greene, Kass & Miller
+/// 1993
+struct FarthestDepth {
+    float z = kInfinity;
+    int drawn = 0;  ///< samples in the boxes of triangles since it was looked for; each may have come nearer
+
+    [[nodiscard]] bool hides(float nearest) const {
+        return nearest >= z;  // equal depths: the first stays
+    }
+};
+
+/// It is looked for when the tile was drawn over so often: a look takes as long as drawing a quarter of a tile.
+constexpr int kSamplesBetweenLooks = 4 * kTileSide * kTileSide;
+
+/// The farthest depth of the samples of the tile, which may end within its memory.
+inline float farthest_depth(const TileArea& area, const TileVisibility& tile) {
+    float farthest[kLanes] = {};
+    for (int y = 0; y < area.height; ++y) {
+        for (int x = 0; x < area.width; x += kLanes) {
+            const float* depth = &tile.depth[y * kTileSide + x];
+            for (int i = 0; i < kLanes; ++i) {
+                const float z = x + i < area.width ? depth[i] : 0.0f;
+                farthest[i] = z > farthest[i] ? z : farthest[i];
+            }
+        }
+    }
+    return *std::max_element(farthest, farthest + kLanes);
+}
+
+/// Draw a triangle that is larger than a block, unless all that is there is nearer.
+inline void draw_large(const SetupLanes& setup, int i, const TileArea& area, FarthestDepth& farthest,
+                       TileVisibility& tile) {
+    if (farthest.hides(setup.z_min[i])) return;
+    const TileTriangle t = setup.at(i);
+    draw_rows(t, setup.id[i], area, tile);
+    farthest.drawn += (t.box.x_end - t.box.x_first) * (t.box.y_last - t.box.y_first + 1);
+    if (farthest.drawn >= kSamplesBetweenLooks) farthest = {farthest_depth(area, tile), 0};
+}
+
 KREDA_BATCH_LOOP void clear(TileVisibility& tile) {
     for (int i = 0; i < kTileSide * kTileSide; ++i) {
         tile.depth[i] = kClearDepth;
@@ -195,7 +235,7 @@ KREDA_BATCH_LOOP void clear(TileVisibility& tile) {
 
 /// All triangles of one chunk that touch the tile, in drawing order.
 KREDA_BATCH_LOOP void draw_chunk_in_tile(const ScreenVertex* screen, const TriangleChunk& chunk, std::uint32_t first_id,
-                                         const TileArea& area, TileVisibility& tile) {
+                                         const TileArea& area, FarthestDepth& farthest, TileVisibility& tile) {
     SetupLanes setup;
     const std::uint32_t end = chunk.tile_begin[area.index + 1];
     for (std::uint32_t entry = chunk.tile_begin[area.index]; entry < end; entry += kScreenLanes) {
@@ -206,7 +246,7 @@ KREDA_BATCH_LOOP void draw_chunk_in_tile(const ScreenVertex* screen, const Trian
             if (setup.covered[i] != kLargerThanBlock)
                 draw_block(setup, i, area, tile);
             else
-                draw_rows(setup.at(i), setup.id[i], area, tile);
+                draw_large(setup, i, area, farthest, tile);
         }
     }
 }
@@ -234,10 +274,11 @@ bool any_triangle_touches(const TriangleSet& set, const TileArea& area) {
 
 void rasterize_tile(const VertexStreams& streams, const TriangleSet& set, const TileArea& area, TileVisibility& tile) {
     clear(tile);
+    FarthestDepth farthest;
     for (std::size_t c = 0; c < set.chunks.size(); ++c) {
         const TriangleChunk& chunk = set.chunks[c];
         if (!touches(chunk, area)) continue;
-        draw_chunk_in_tile(streams.screen.data(), chunk, triangle_id(c, 0), area, tile);
+        draw_chunk_in_tile(streams.screen.data(), chunk, triangle_id(c, 0), area, farthest, tile);
     }
 }
 

@@ -9,6 +9,7 @@
 #include "scene/plan/plan.hpp"
 #include "tools/commands.hpp"
 #include "tools/plan_json.hpp"
+#include "tools/render_output.hpp"
 #include "tools/scene_options.hpp"
 
 namespace kreda::tools {
@@ -55,7 +56,7 @@ void add_plan_command(CLI::App& app) {
         "counts as\n"
         "covered. Buffers of a tile or batch exist once a thread. kreda render --time measures.");
     command->callback([options] {
-        const auto [scene, plan] = load_and_plan(options->scene, {});
+        const auto [scene, plan] = load_and_plan(options->scene, png_request());
         if (options->json) {
             std::cout << plan_json(scene, plan);
             return;

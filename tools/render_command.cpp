@@ -15,6 +15,7 @@
 #include "scene/render/light_depth.hpp"
 #include "scene/render/render.hpp"
 #include "scene/render/stopwatch.hpp"
+#include "scene/render/threads.hpp"
 #include "tools/bench/time_report.hpp"
 #include "tools/commands.hpp"
 #include "tools/draw/draw.hpp"
@@ -94,13 +95,17 @@ void write_slide(const std::string& path, const RenderOptions& options, const sc
     std::cerr << "wrote " << path << " (a slide of " << kSlideWidth << " x " << kSlideHeight << ")\n";
 }
 
-bool is_black(const raster::Image& film) {
-    return std::all_of(film.values.begin(), film.values.end(), [](float value) { return value == 0.0f; });
+bool is_black(const scene::RenderPlan& plan, const scene::RenderBuffers& buffers,
+              const scene::RenderStatistics& frame) {
+    if (plan.bytes) return !frame.shown.any_light;
+    const auto& values = buffers.film.values;
+    return std::all_of(values.begin(), values.end(), [](float value) { return value == 0.0f; });
 }
 
-/// What leads to the view alone; a light's shadow map is found on the way to the picture.
-scene::PlanRequest request_for(const scene::View* view) {
-    if (!view) return {};
+/// What leads to the view alone; a light's shadow map is found on the way to the picture. An EXR and a slide, which
+/// fits the picture into its frame, are made of radiance.
+scene::PlanRequest request_for(const RenderOptions& options, const std::string& path, const scene::View* view) {
+    if (!view) return is_exr(path) || !options.slides.empty() ? scene::PlanRequest{} : png_request();
     if (scene::is_light_depth(view)) return {.prune = false};
     return {.views = {view}, .film = false};
 }
@@ -131,7 +136,7 @@ void render_once(const RenderOptions& options, const std::string& path, const sc
     scene::Stopwatch watch;
     SceneOptions with_store = options.scene;
     if (options.watch) with_store.read.files = &kept.files;
-    auto [scene, plan] = load_and_plan(with_store, request_for(view), [&](scene::Scene& loaded) {
+    auto [scene, plan] = load_and_plan(with_store, request_for(options, path, view), [&](scene::Scene& loaded) {
         if (!options.slides.empty()) fit_to_slide(loaded.image);
     });
     if (view) check_view(make_plan_for(scene, scene::PlanRequest{.prune = false}), scene, *view);
@@ -144,16 +149,19 @@ void render_once(const RenderOptions& options, const std::string& path, const sc
     }
     const std::uint64_t dropped = report.frames.back().triangles.non_finite;
     if (dropped > 0) warn(std::to_string(dropped) + " triangles were dropped: a corner is not a finite number");
-    if (plan.film && plan.draws_objects && is_black(buffers.film)) {
+    if (plan.film && plan.draws_objects && is_black(plan, buffers, report.frames.back())) {
         warn_of_scene({"the picture is black; what is seen needs a light that is on, ambient light or emission"},
                       options.scene);
     }
     watch.lap_ms();
     const std::lock_guard<std::mutex> whole(writing);
+    const scene::ThreadLimit limit(options.threads);  // strips of a PNG are compressed side by side
     if (!options.slides.empty())
         write_slide(path, options, view, buffers, scene);
     else if (view)
         write_view(path, *view, values_of(*view, buffers), scene);
+    else if (plan.bytes)
+        write_bytes(path, buffers.bytes, report.frames.back().shown.report);
     else
         write_picture(path, buffers.film, scene.image);
     if (!options.time) return;
@@ -204,7 +212,8 @@ light_depth is as large as the map (shadow.size; six in a row for a point light:
 The scene file is described by `kreda keys`; a value given here wins over the file's.
 --time prints one line of JSON, milliseconds from the loaded scene to the linear film, without loading, tone mapping and
 writing. Its stages are the passes of kreda plan, in that order; those that threads share tile by tile take parts of the
-common time. Baking is done before, and not part of total_ms; "around" has what loading, baking and writing take, once.
+common time. Baking is done before, and not part of total_ms; "around" has what loading, baking and writing take, once, and
+what the tone map and 8 bits take where a PNG is written: that pass works in the tiles, too, but no stage and not part of total_ms.
 pixels_shaded counts visible samples: with --samples 2 up to four a pixel.
 An environment is baked before the first frame. Its maps are kept in .kreda-cache beside the scene file, for the next render;
 delete the folder at will.

@@ -7,6 +7,8 @@
 #include <vector>
 
 #include "scene/files/image_file.hpp"
+#include "scene/files/png_bytes.hpp"
+#include "scene/files/whole_file.hpp"
 #include "scene/plan/origin_words.hpp"
 #include "tools/scene_options.hpp"
 
@@ -66,6 +68,17 @@ void write_view(const std::string& path, const scene::View& view, const raster::
     std::cerr << "wrote " << path << " (" << values.width << " x " << values.height << "), " << view.name << ": "
               << view.meaning << "\n";
     if (view.name == "position" && scene::is_far_from_zero(scene)) std::cerr << scene::origin_sentence(scene) << "\n";
+}
+
+scene::PlanRequest png_request() {
+    return {.bytes = !kBuiltForDebugger};
+}
+
+void write_bytes(const std::string& path, const raster::ByteImage& picture, const raster::FilmReport& report) {
+    const auto file = scene::encode_png(path, {picture.width, picture.height, picture.channels, picture.values});
+    scene::write_whole_file(path, {std::as_bytes(std::span(file))});
+    warn_of_film(report, false);
+    std::cerr << "wrote " << path << " (" << picture.width << " x " << picture.height << ")\n";
 }
 
 void write_picture(const std::string& path, const raster::Image& film, const scene::ImageSettings& settings) {

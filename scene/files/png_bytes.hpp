@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -12,11 +13,11 @@ struct PngPicture {
     int width = 0;
     int height = 0;
     int channels = 0;  ///< 1 (grey) or 3
-    std::vector<std::uint8_t> values;
+    std::span<const std::uint8_t> values;
 };
 
-/// The bytes of an 8-bit PNG, marked sRGB; the same picture gives the same bytes, those that OpenImageIO 2.4 makes of
-/// it. `path` is for the complaint. Throws UserError.
+/// The bytes of an 8-bit PNG, marked sRGB; the same picture gives the same bytes, whatever threads there are. `path` is
+/// for the complaint. Throws UserError, std::bad_alloc.
 [[nodiscard]] std::vector<unsigned char> encode_png(const std::string& path, const PngPicture& picture);
 
 }  // namespace kreda::scene

@@ -56,8 +56,8 @@ void check_not_empty(const std::string& path, const raster::Image& image) {
 std::vector<unsigned char> png_file_of(const std::string& path, const raster::Image& encoded) {
     check_not_empty(path, encoded);
     KREDA_EXPECT(encoded.channels == 1 || encoded.channels == 3);
-    return encode_png(
-        path, {encoded.width, encoded.height, encoded.channels, interleave<std::uint8_t>(encoded, byte_from_encoded)});
+    const auto bytes = interleave<std::uint8_t>(encoded, byte_from_encoded);
+    return encode_png(path, {encoded.width, encoded.height, encoded.channels, bytes});
 }
 
 void write_png(const std::string& path, const raster::Image& encoded) {

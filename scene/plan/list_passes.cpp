@@ -304,11 +304,13 @@ void list_background(Listing& list) {
 
 void list_film(Listing& list) {
     const int n = list.scene.image.samples;
+    const bool bytes = list.plan.bytes;
+    std::string how = n == 1 ? "one sample a pixel" : "mean of " + std::to_string(n * n) + " samples a pixel";
+    if (bytes) how += ", tone-mapped and encoded in its tile";
     PlannedPass& pass =
-        list.add(PassScope::tile, write_film, "film",
-                 n == 1 ? "one sample a pixel" : "mean of " + std::to_string(n * n) + " samples a pixel",
-                 film_cost(list.plan, list.counts));
-    if (list.plan.film) pass.buffers = {{"linear RGB", list.counts.pixels * 3 * sizeof(float)}};
+        list.add(PassScope::tile, bytes ? write_bytes : write_film, "film", how, film_cost(list.plan, list.counts));
+    if (bytes) pass.buffers = {{"8-bit RGB", list.counts.pixels * 3}};
+    if (list.plan.film && !bytes) pass.buffers = {{"linear RGB", list.counts.pixels * 3 * sizeof(float)}};
     pass.buffers.push_back({"depth, triangles and colours of one tile, a thread", bytes_of_tile()});
 }
 

@@ -29,6 +29,7 @@ void start_background(const PassWork& work);
 void show_depth(const PassWork& work);
 void paint_flat(const PassWork& work);
 void write_film(const PassWork& work);
+void write_bytes(const PassWork& work);
 
 // A batch: scene/render/batch_passes.cpp
 void interpolate(const PassWork& work);

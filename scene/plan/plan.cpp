@@ -33,6 +33,7 @@ RenderPlan start_plan(const Scene& scene, const PlanRequest& request) {
     RenderPlan plan;
     plan.views = request.views;
     plan.film = request.film;
+    plan.bytes = request.film && request.bytes && request.views.empty();
     plan.wanted = wanted_of(request);
     plan.has_lights = std::any_of(scene.lights.begin(), scene.lights.end(), [](const auto& light) { return light.on; });
     plan.samples = scene.image.samples;

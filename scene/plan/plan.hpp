@@ -29,6 +29,7 @@ struct RenderPlan {
     raster::AttributeInterpolation interpolation = raster::AttributeInterpolation::perspective;
     ShadingFrequency frequency = ShadingFrequency::phong;
     bool film = true;                     ///< the picture itself is drawn
+    bool bytes = false;                   ///< in 8 bits, and nothing keeps its radiance
     std::optional<Seen> seen;             ///< what the camera sees; none: nothing was left out for it
     Wanted wanted;                        ///< how far the pipeline goes
     LightingChoices lighting;             ///< which materials each of the lighting passes works on

@@ -149,7 +149,8 @@ PassCost mix_fog_cost(const PlanCounts& counts) {
 
 PassCost film_cost(const RenderPlan& plan, const PlanCounts& counts) {
     const double n2 = static_cast<double>(plan.samples) * plan.samples;
-    return {"pixels", counts.pixels, plan.samples == 1 ? 0.0 : 3.0 * n2};
+    const double display = plan.bytes ? 3.0 * (raster::kPowOperations + 10.0) : 0.0;
+    return {"pixels", counts.pixels, (plan.samples == 1 ? 0.0 : 3.0 * n2) + display};
 }
 
 /// What there is without lights, and the sum; a flat triangle's centroid is found, too.

@@ -14,6 +14,7 @@ struct View;
 struct PlanRequest {
     std::vector<const View*> views = {};
     bool film = true;            ///< the picture itself, too
+    bool bytes = false;          ///< of the picture only what a display is sent; not beside views
     const Seen* seen = nullptr;  ///< what plan_loading() saw; nullptr: it is found anew
     bool prune = true;  ///< leave out what changes no bit of it; false: everything that the scene names, to look at
 };

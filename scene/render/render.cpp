@@ -90,7 +90,12 @@ void prepare_picture(const Scene& scene, int channels, raster::Image& picture) {
 }
 
 void prepare_pictures(const Scene& scene, const RenderPlan& plan, RenderBuffers& buffers) {
-    if (plan.film) prepare_picture(scene, 3, buffers.film);
+    if (plan.film && !plan.bytes) prepare_picture(scene, 3, buffers.film);
+    if (plan.bytes) {
+        const std::size_t pixels = static_cast<std::size_t>(scene.image.width) * scene.image.height;
+        buffers.bytes = {scene.image.width, scene.image.height, 3, std::move(buffers.bytes.values)};
+        buffers.bytes.values.resize(3 * pixels);
+    }
     buffers.views.resize(plan.views.size());
     for (std::size_t v = 0; v < plan.views.size(); ++v) {
         prepare_picture(scene, plan.views[v]->components, buffers.views[v]);
@@ -174,8 +179,9 @@ RenderStatistics render(const Scene& scene, const RenderPlan& plan, RenderBuffer
     walk_frame(frame, statistics.times);
     for (const std::unique_ptr<TileScratch>& scratch : buffers.scratch) {
         statistics.samples_shaded += scratch->samples_shaded;
+        add(scratch->shown, statistics.shown);
     }
-    statistics.times.total_ms = total.lap_ms();
+    statistics.times.total_ms = total.lap_ms() - statistics.times.display_ms;
     look(frame);
     frame_done(frame);
     return statistics;

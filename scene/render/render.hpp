@@ -8,6 +8,7 @@
 #include <utility>
 #include <vector>
 
+#include "raster/display_bytes.hpp"
 #include "raster/image.hpp"
 #include "raster/triangle_setup.hpp"
 #include "raster/vertex_stage.hpp"
@@ -47,6 +48,7 @@ struct RenderBuffers {
     std::unique_ptr<Baking> baking;  ///< while the passes bake
     bool keeps_results = false;
     raster::Image film;                ///< linear RGB radiance, row 0 on top
+    raster::ByteImage bytes;           ///< in place of the film where the plan says so
     std::vector<raster::Image> views;  ///< one for each of the plan's views, as large as the film
     std::vector<int> tile_order;       ///< tests shuffle the tiles; empty: row by row
 };
@@ -55,16 +57,18 @@ struct RenderBuffers {
 /// batch by batch, is measured as a whole and divided among its passes as all threads together spent their time.
 struct StageTimes {
     std::vector<std::pair<std::string, double>> stages;
-    double total_ms = 0.0;  ///< of the frame, without what is baked before it
+    double total_ms = 0.0;    ///< of the frame, without what is baked before it and without display_ms
+    double display_ms = 0.0;  ///< tone map and encoding in 8 bits: the pass "film" of a plan of bytes, no stage here
 };
 
 struct RenderStatistics {
     StageTimes times;
     raster::TriangleCounts triangles;
     std::uint64_t samples_shaded = 0;  ///< visible samples, each shaded exactly once
+    raster::ShownValues shown;         ///< of a picture in 8 bits
 };
 
-/// Render the scene into buffers.film. threads = 0: as many as there are cores.
+/// Render the scene into buffers.film, or buffers.bytes. threads = 0: as many as there are cores.
 RenderStatistics render(const Scene& scene, const RenderPlan& plan, RenderBuffers& buffers, int threads = 0);
 
 /// The same, and then look at the frame while everything in it is alive: what `kreda explain` asks about a pixel.

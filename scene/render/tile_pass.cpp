@@ -76,18 +76,21 @@ float mean_of_samples(const float* plane, int x, int y, int n) {
     return sum / static_cast<float>(n * n);
 }
 
+/// One row of the tile's pixels: its samples, or the means of n x n of them, which `means` has room for.
+const float* pixel_row(const float* plane, int y, int width, int n, float* means) {
+    if (n == 1) return plane + y * kTileSide;
+    for (int x = 0; x < width; ++x) means[x] = mean_of_samples(plane, x, y, n);
+    return means;
+}
+
 /// Tile -> picture: copy, or average the samples of each pixel.
 void write_picture(const TileArea& area, int n, const TileColor& color, raster::Image& picture) {
-    const int x0 = area.x / n;
-    const int y0 = area.y / n;
+    const int width = area.width / n;
+    float means[kTileSide];
     for (int c = 0; c < picture.channels; ++c) {
         for (int y = 0; y < area.height / n; ++y) {
-            float* row = picture.plane(c) + static_cast<std::size_t>(y0 + y) * picture.width + x0;
-            if (n == 1) {
-                raster::copy_past_cache(color.plane[c] + y * kTileSide, area.width, row);
-                continue;
-            }
-            for (int x = 0; x < area.width / n; ++x) row[x] = mean_of_samples(color.plane[c], x, y, n);
+            float* row = picture.plane(c) + static_cast<std::size_t>(area.y / n + y) * picture.width + area.x / n;
+            raster::copy_past_cache(pixel_row(color.plane[c], y, width, n, means), width, row);
         }
     }
 }
@@ -188,6 +191,7 @@ void fit_scratch(const RenderPlan& plan, TileScratch& scratch) {
     }
     scratch.clock.clear(plan.passes.size());
     scratch.samples_shaded = 0;
+    scratch.shown = {};
     scratch.color_is_background = false;
     scratch.views.resize(plan.views.size());
 }
@@ -229,6 +233,20 @@ void paint_flat(const PassWork& work) {
     if (cut_out_sample(scratch.runs, scratch.run_count, wanted) == scratch.run_count)
         return pixel_not_covered(debug_pixel.x, debug_pixel.y);
     pixel_reached(debug_pixel.x, debug_pixel.y);
+}
+
+/// The tile's pixels as a display is sent them. Nobody keeps their radiance.
+void write_bytes(const PassWork& work) {
+    const int n = work.frame.plan.samples, width = work.area.width / n;
+    const raster::FilmSettings settings = film_settings(work.frame.scene.image);
+    raster::ByteImage& picture = work.frame.buffers.bytes;
+    float means[3][kTileSide];
+    for (int y = 0; y < work.area.height / n; ++y) {
+        const float* row[3];
+        for (int c = 0; c < 3; ++c) row[c] = pixel_row(work.scratch.color.plane[c], y, width, n, means[c]);
+        const std::size_t first = static_cast<std::size_t>(work.area.y / n + y) * picture.width + work.area.x / n;
+        show_row(row, width, settings, picture.values.data() + 3 * first, work.scratch.shown);
+    }
 }
 
 void write_film(const PassWork& work) {

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "lighting/batch/passes.hpp"
+#include "raster/display_bytes.hpp"
 #include "raster/fragments.hpp"
 #include "scene/render/frame.hpp"
 #include "scene/render/pass_clock.hpp"
@@ -25,6 +26,7 @@ struct TileScratch {
     bool color_is_background = false;  ///< nothing was drawn in the tile before: the next one can start with its colour
     std::vector<TileColor> views;      ///< one for each of the plan's
     PassClock clock;
+    raster::ShownValues shown;  ///< by the tiles of this thread
     std::uint64_t samples_shaded = 0;
 };
 

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <numeric>
 
+#include "scene/plan/pass_functions.hpp"
 #include "scene/render/pass_work.hpp"
 #include "scene/render/stopwatch.hpp"
 #include "scene/render/tile_pass.hpp"
@@ -39,7 +40,10 @@ void share_out(const Frame& frame, std::span<const PlannedPass> stretch, double 
     const double all = std::accumulate(spent.begin(), spent.end(), 0.0);
     for (std::size_t p = 0; p < stretch.size(); ++p) {
         const double share = all > 0.0 ? spent[p] / all : 1.0 / static_cast<double>(stretch.size());
-        times.stages.emplace_back(stretch[p].name, ms * share);
+        if (stretch[p].run == write_bytes)
+            times.display_ms += ms * share;
+        else
+            times.stages.emplace_back(stretch[p].name, ms * share);
     }
 }
 

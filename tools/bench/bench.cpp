@@ -41,11 +41,14 @@ std::string output_of(const std::string& command) {
     return text;
 }
 
-/// One turn of Mesa's peer program.
-double time_mesa(const BenchOptions& options, std::string arguments, const std::string& format) {
+/// One turn of Mesa's peer program with the libraries of a folder; "" is the system's.
+double time_mesa(const BenchOptions& options, const std::string& libraries, std::string arguments,
+                 const std::string& format) {
     std::replace(arguments.begin(), arguments.end(), '\n', ' ');
-    const std::string command = "LP_NUM_THREADS=" + std::to_string(options.threads) + " '" + options.mesa + "' " +
-                                arguments + " --frames " + std::to_string(options.frames) + " --format " + format;
+    const std::string path = libraries.empty() ? "" : "LD_LIBRARY_PATH='" + libraries + "' ";
+    const std::string command = path + "LP_NUM_THREADS=" + std::to_string(options.threads) + " '" + options.mesa +
+                                "' " + arguments + " --frames " + std::to_string(options.frames) + " --format " +
+                                format;
     const nlohmann::json line = nlohmann::json::parse(output_of(command), nullptr, false);
     if (line.is_discarded()) throw scene::UserError("no JSON came from: " + command);
     return line.at("ms_median").get<double>();
@@ -57,32 +60,43 @@ std::string spread_text(const Spread& s) {
     return text;
 }
 
+/// The rounds of one Mesa, in its two formats.
+struct MesaTimes {
+    std::vector<double> rgba8, rgba32f;
+};
+
+/// Two cells: the faster format, and the ratio.
+std::string mesa_cells(const MesaTimes& times, const Spread& us) {
+    const bool bytes_faster = spread_of(times.rgba8).median < spread_of(times.rgba32f).median;
+    const Spread them = spread_of(bytes_faster ? times.rgba8 : times.rgba32f);
+    char ratio[32];
+    std::snprintf(ratio, sizeof ratio, "%.2f", them.median / us.median);
+    return " " + spread_text(them) + (bytes_faster ? " rgba8 | " : " rgba32f | ") + ratio + " |";
+}
+
 void compare_workload(const BenchOptions& options, const std::string& name) {
     const fs::path folder = options.workloads;
     scene::Scene scene;
     try {
         scene = scene::read_scene((folder / (name + ".toml")).string());
     } catch (const scene::UserError& error) {
-        std::printf("| %s | %s | | |\n", name.c_str(), error.what());
+        std::printf("| %s | %s |\n", name.c_str(), error.what());
         return;
     }
     const std::string arguments = options.mesa.empty() ? "" : text_of(folder / (name + ".mesa"));
-    std::vector<double> ours, rgba8, rgba32f;
+    std::vector<double> ours;
+    std::vector<MesaTimes> theirs(options.libraries.size());
     for (int round = 0; round < options.rounds; ++round) {
         ours.push_back(time_frames(scene, options.frames, options.threads));
-        if (options.mesa.empty()) continue;
-        rgba8.push_back(time_mesa(options, arguments, "rgba8"));
-        rgba32f.push_back(time_mesa(options, arguments, "rgba32f"));
+        for (std::size_t m = 0; m < theirs.size(); ++m) {
+            theirs[m].rgba8.push_back(time_mesa(options, options.libraries[m], arguments, "rgba8"));
+            theirs[m].rgba32f.push_back(time_mesa(options, options.libraries[m], arguments, "rgba32f"));
+        }
     }
     const Spread us = spread_of(ours);
-    if (options.mesa.empty()) {
-        std::printf("| %s | %s | | |\n", name.c_str(), spread_text(us).c_str());
-        return;
-    }
-    const bool bytes_faster = spread_of(rgba8).median < spread_of(rgba32f).median;
-    const Spread them = spread_of(bytes_faster ? rgba8 : rgba32f);
-    std::printf("| %s | %s | %s %s | %.2f |\n", name.c_str(), spread_text(us).c_str(), spread_text(them).c_str(),
-                bytes_faster ? "rgba8" : "rgba32f", them.median / us.median);
+    std::string row = "| " + name + " | " + spread_text(us) + " |";
+    for (const MesaTimes& times : theirs) row += mesa_cells(times, us);
+    std::printf("%s\n", row.c_str());
     std::fflush(stdout);
 }
 
@@ -136,12 +150,20 @@ double time_frames(const scene::Scene& scene, int frames, int threads) {
     return median(ms);
 }
 
-void compare_with_mesa(const BenchOptions& options) {
+void compare_with_mesa(const BenchOptions& given) {
+    BenchOptions options = given;
+    if (options.mesa.empty()) options.libraries.clear();
+    if (!options.mesa.empty() && options.libraries.empty()) options.libraries = {""};
     std::printf(
         "%d threads, %d rounds in turn, median of %d frames each; milliseconds: median (least..greatest) of the "
         "rounds\n\n",
         options.threads, options.rounds, options.frames);
-    std::printf("| workload | kreda | llvmpipe, its faster format | ratio |\n| --- | --- | --- | --- |\n");
+    std::string head = "| workload | kreda |", line = "| --- | --- |";
+    for (const std::string& libraries : options.libraries) {
+        head += " llvmpipe" + (libraries.empty() ? "" : " of " + libraries) + ", its faster format | ratio |";
+        line += " --- | --- |";
+    }
+    std::printf("%s\n%s\n", head.c_str(), line.c_str());
     for (const char* name : {"W1", "W2", "W3", "W4", "W5", "W6", "W7"}) compare_workload(options, name);
 }
 

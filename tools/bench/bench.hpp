@@ -10,10 +10,11 @@
 namespace kreda::tools {
 
 struct BenchOptions {
-    std::string workloads;  ///< folder with WN.toml and WN.mesa
-    std::string mesa;       ///< the program mesa_peer; empty: only ours
-    int rounds = 5;         ///< how often the programs take turns
-    int frames = 10;        ///< frames a turn, of which the program reports the median
+    std::string workloads;               ///< folder with WN.toml and WN.mesa
+    std::string mesa;                    ///< the program mesa_peer; empty: only ours
+    std::vector<std::string> libraries;  ///< folders of Mesa's libraries, one a version; none: the system's
+    int rounds = 5;                      ///< how often the programs take turns
+    int frames = 10;                     ///< frames a turn, of which the program reports the median
     int threads = 2;
 };
 

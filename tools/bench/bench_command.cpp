@@ -21,6 +21,10 @@ void add_bench_command(CLI::App& app) {
         ->type_name("DIR");
     command->add_option("--mesa", options->mesa, "The program mesa_peer; without it only kreda is timed")
         ->type_name("PROGRAM");
+    command
+        ->add_option("--mesa-libraries", options->libraries,
+                     "Folders with the libraries of several Mesas: a column each; by default the system's")
+        ->type_name("DIR...");
     command->add_flag("--growth", *growth, "Time against pixels, triangles, lights and threads");
     command->add_flag("--peak", *peak,
                       "How much of the processor's arithmetic and cache bandwidth the shading loops reach");
@@ -31,6 +35,9 @@ void add_bench_command(CLI::App& app) {
     command
         ->add_option("--write-w9", *folder, "Write the workload W9, a million triangles with textures, into a folder")
         ->type_name("DIR");
+    const auto layers = std::make_shared<std::string>();
+    command->add_option("--write-w10", *layers, "Write the workload W10, a hundred layers of which one is seen")
+        ->type_name("DIR");
     command->add_option("--rounds", options->rounds, "How often the programs take turns")
         ->check(CLI::Range(1, 1000))
         ->type_name("N");
@@ -40,13 +47,14 @@ void add_bench_command(CLI::App& app) {
     command->add_option("--threads", options->threads, "Threads of each program")
         ->check(CLI::Range(1, 256))
         ->type_name("N");
-    command->callback([options, growth, peak, scenes, folder] {
-        if (options->workloads.empty() && !*growth && !*peak && scenes->empty() && folder->empty()) {
+    command->callback([options, growth, peak, scenes, folder, layers] {
+        if (options->workloads.empty() && !*growth && !*peak && scenes->empty() && folder->empty() && layers->empty()) {
             throw scene::UserError(
                 "kreda bench: say what to time: --workloads DIR, --process SCENE, --growth or --peak (see kreda bench "
                 "--help)");
         }
         if (!folder->empty()) write_million_triangles(*folder);
+        if (!layers->empty()) write_layers(*layers);
         if (!scenes->empty()) time_processes({*scenes, options->rounds, options->threads});
         if (!options->workloads.empty()) compare_with_mesa(*options);
         if (*growth) measure_growth(options->frames, options->threads);

@@ -94,13 +94,14 @@ void print_row(const std::string& scene, const std::vector<ProcessCost>& costs) 
     const auto wall = [](const ProcessCost& cost) { return cost.wall_ms; };
     const auto by_wall = [](const ProcessCost& a, const ProcessCost& b) { return a.wall_ms < b.wall_ms; };
     const auto [least, greatest] = std::minmax_element(costs.begin(), costs.end(), by_wall);
-    std::printf("| %s | %.0f (%.0f..%.0f) | %.0f | %.0f | %.0f | %.0f | %.0f | %.0f |\n",
+    std::printf("| %s | %.0f (%.0f..%.0f) | %.0f | %.0f | %.0f | %.0f | %.0f | %.0f | %.0f |\n",
                 fs::path(scene).filename().c_str(), median_of(costs, wall), least->wall_ms, greatest->wall_ms,
                 median_of(costs, [](const ProcessCost& c) { return c.processor_ms; }),
                 median_of(costs, [](const ProcessCost& c) { return c.megabytes; }),
                 median_of(costs, [](const ProcessCost& c) { return around(c, "loading"); }),
                 median_of(costs, [](const ProcessCost& c) { return around(c, "baking"); }),
                 median_of(costs, [](const ProcessCost& c) { return c.times.at("total_ms").get<double>(); }),
+                median_of(costs, [](const ProcessCost& c) { return around(c, "encoding"); }),
                 median_of(costs, [](const ProcessCost& c) { return around(c, "writing"); }));
 }
 
@@ -119,8 +120,10 @@ void time_processes(const ProcessOptions& options) {
     show_status("");
     std::printf("Whole processes, %d threads, medians of %d; milliseconds.\n\n", options.threads, options.rounds);
     std::printf(
-        "| scene | command to PNG (least..greatest) | processor time | MB | load and plan | bake | frame | write |\n");
-    std::printf("| --- | --- | --- | --- | --- | --- | --- | --- |\n");
+        "| scene | command to PNG (least..greatest) | processor time | MB | load and plan | bake | frame | encode | "
+        "write "
+        "|\n");
+    std::printf("| --- | --- | --- | --- | --- | --- | --- | --- | --- |\n");
     for (std::size_t s = 0; s < options.scenes.size(); ++s) print_row(options.scenes[s], costs[s]);
 }
 

@@ -20,4 +20,8 @@ void time_processes(const ProcessOptions& options);
 /// an environment, and the scene W9.toml. Throws UserError.
 void write_million_triangles(const std::string& folder);
 
+/// Write the workload W10 into a folder: the scene W10.toml, a hundred layers over the whole picture in no order.
+/// Throws UserError.
+void write_layers(const std::string& folder);
+
 }  // namespace kreda::tools

@@ -40,12 +40,15 @@ double median(std::vector<double> values) {
 std::string json_line(const TimeReport& report) {
     std::vector<double> totals;
     for (const scene::RenderStatistics& frame : report.frames) totals.push_back(frame.times.total_ms);
+    std::vector<double> encoding;
+    for (const scene::RenderStatistics& each : report.frames) encoding.push_back(each.times.display_ms);
     const scene::RenderStatistics& frame = report.frames.back();  // the counts are the same in every frame
     nlohmann::ordered_json json;
     json["stages"] = stage_medians(report.frames);
     json["total_ms"] = to_microseconds(median(totals));
     json["around"] = {{"loading", to_microseconds(report.around.load)},
                       {"baking", to_microseconds(report.around.bake)},
+                      {"encoding", to_microseconds(median(encoding))},
                       {"writing", to_microseconds(report.around.write)}};
     json["triangles"] = frame.triangles.input;
     json["pixels_shaded"] = frame.samples_shaded;

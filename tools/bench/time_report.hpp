@@ -28,9 +28,8 @@ struct TimeReport {
     int threads = 1;
 };
 
-/// {"stages": {"vertices": ms, ...}, "total_ms": ..., "around": {"loading": ms, "baking": ms, "writing": ms},
-/// "triangles":
-/// ..., "pixels_shaded": ..., ...} on one line.
+/// {"stages": {"vertices": ms, ...}, "total_ms": ..., "around": {"loading": ms, "baking": ms, "encoding": ms,
+/// "writing": ms}, "triangles": ..., "pixels_shaded": ..., ...} on one line.
 [[nodiscard]] std::string json_line(const TimeReport& report);
 
 }  // namespace kreda::tools
