@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 
 #include "tools/grade/assignment/stage_check.hpp"
 
@@ -57,12 +58,6 @@ double misfit_of(const Sums& sums) {
     return std::clamp((sums.ss - 2.0 * a * sums.sv + a * a * sums.vv) / sums.ss, 0.0, 1.0);
 }
 
-/// What is known of a submission before variants are looked at.
-struct Facts {
-    std::vector<const RubricStage*> stage;  ///< one a table
-    std::vector<bool> wrong;                ///< one a table: answered, and wrong
-};
-
 /// Which tables must be the same, from strict to lenient: all; those that are wrong (what the variant has wrong
 /// besides, the submission may do elsewhere); the pictures (it may do even the wrong thing elsewhere).
 enum class Demand { all, wrong, pictures };
@@ -79,79 +74,172 @@ bool says_something(const StageTable& answers, const StageTable& expected) {
     return false;
 }
 
+/// A submission beside the catalogue, table by table. Variants share their answers: each is looked at once, when it is
+/// asked for.
+struct Fits {
+    const Marking& marking;
+    const Catalogue& catalogue;
+    std::vector<bool> wrong, speaks;  ///< [input]: the submission is wrong; in a way that says something
+    std::vector<std::vector<std::optional<bool>>> same_as;  ///< [input][number], as in VariantAnswers
+    std::vector<std::vector<std::optional<Sums>>> sums_to;
+
+    Fits(const Marking& m, const Catalogue& all);
+    [[nodiscard]] const std::vector<std::size_t>& mistakes(std::size_t variant) const {
+        return catalogue.variants[variant].mistakes;
+    }
+    [[nodiscard]] bool is_answered(std::size_t i) const {
+        return marking.answers[i] != nullptr;
+    }
+    /// Does the variant answer every row of this table as the submission does?
+    [[nodiscard]] bool same(std::size_t variant, std::size_t i);
+    [[nodiscard]] const Sums& sums(std::size_t variant, std::size_t i);
+    /// Share of the submission's error that the variant leaves unexplained; 0 where they are the same.
+    [[nodiscard]] double misfit(std::size_t variant, std::size_t i) {
+        return same(variant, i) ? 0.0 : misfit_of(sums(variant, i));
+    }
+    [[nodiscard]] bool is_wrong(std::size_t variant, std::size_t i) {
+        return sums(variant, i).vv > 1e-6;
+    }
+};
+
+Fits::Fits(const Marking& m, const Catalogue& all) : marking(m), catalogue(all) {
+    for (std::size_t i = 0; i < m.answers.size(); ++i) {
+        wrong.push_back(is_answered(i) && !m.checks[i].passed());
+        speaks.push_back(wrong[i] && says_something(*m.answers[i], m.cases.expected[i]));
+        same_as.emplace_back(all.answers.tables[i].size());
+        sums_to.emplace_back(all.answers.tables[i].size());
+    }
+}
+
+bool Fits::same(std::size_t variant, std::size_t i) {
+    std::optional<bool>& known = same_as[i][catalogue.answers.number[variant][i]];
+    if (!known) {
+        known = same_answers(marking.stage(i), marking.cases.inputs[i], *marking.answers[i],
+                             catalogue.answers.of(variant, i), kSameShare);
+    }
+    return *known;
+}
+
+const Sums& Fits::sums(std::size_t variant, std::size_t i) {
+    std::optional<Sums>& known = sums_to[i][catalogue.answers.number[variant][i]];
+    if (!known) {
+        known = sums_of(marking.cases.inputs[i], marking.cases.expected[i], *marking.answers[i],
+                        catalogue.answers.of(variant, i));
+    }
+    return *known;
+}
+
 /// Does the variant answer as the submission, as far as demanded, and is anything explained by that?
-bool is_same(const CaseSet& cases, const Facts& facts, const Answers& answers, const std::vector<StageTable>& variant,
-             Demand demand) {
+bool is_same(Fits& fits, std::size_t variant, Demand demand) {
     bool explains = false;
-    for (std::size_t i = 0; i < cases.inputs.size(); ++i) {
-        if (!is_answered(answers.tables[i])) continue;
-        if (demand == Demand::wrong && !facts.wrong[i]) continue;
-        if (demand == Demand::pictures && !facts.stage[i]->picture) continue;
-        if (!same_answers(*facts.stage[i], cases.inputs[i], answers.tables[i], variant[i], kSameShare)) return false;
-        explains = explains ||
-                   (facts.wrong[i] && (demand == Demand::all || says_something(answers.tables[i], cases.expected[i])));
+    for (std::size_t i = 0; i < fits.wrong.size(); ++i) {
+        if (!fits.is_answered(i)) continue;
+        if (demand == Demand::wrong && !fits.wrong[i]) continue;
+        if (demand == Demand::pictures && !fits.marking.stage(i).picture) continue;
+        if (!fits.same(variant, i)) return false;
+        explains = explains || (demand == Demand::all ? fits.wrong[i] : fits.speaks[i]);
     }
     return explains;
 }
 
-/// The mean misfit over the tables that are wrong. A table where the variant is right explains nothing.
-double misfit_over(const CaseSet& cases, const Facts& facts, const Answers& answers,
-                   const std::vector<StageTable>& variant) {
+/// The mean misfit over the tables that are wrong, in the submission or in the variant alone, and a little for each
+/// mistake that it takes. A table where the variant is right explains nothing. One that is explained badly counts as
+/// not explained at all if `all_or_nothing`: a second mistake is no better for being a little like it.
+double misfit_over(Fits& fits, std::size_t variant, bool all_or_nothing) {
     double sum = 0.0;
     int count = 0;
-    for (std::size_t i = 0; i < cases.inputs.size(); ++i) {
-        if (!is_answered(answers.tables[i])) continue;
-        const Sums sums = sums_of(cases.inputs[i], cases.expected[i], answers.tables[i], variant[i]);
-        const bool variant_alone = !facts.wrong[i] && sums.vv > 1e-6;
-        if (!facts.wrong[i] && !variant_alone) continue;
-        sum += facts.wrong[i] ? misfit_of(sums) : 0.5;
+    for (std::size_t i = 0; i < fits.wrong.size(); ++i) {
+        if (!fits.is_answered(i)) continue;
+        if (!fits.wrong[i] && !fits.is_wrong(variant, i)) continue;
+        const double misfit = fits.wrong[i] ? fits.misfit(variant, i) : 0.5;
+        sum += all_or_nothing && fits.wrong[i] && misfit > kMostMisfit ? 1.0 : misfit;
         ++count;
     }
-    return count > 0 ? sum / count : 1.0;
+    return (count > 0 ? sum / count : 1.0) + 0.01 * static_cast<double>(fits.mistakes(variant).size());
 }
 
-/// The first variant, singles before pairs, that is the same.
-bool find_same(const CaseSet& cases, const Facts& facts, const Answers& answers, const Catalogue& catalogue,
-               Demand demand, Diagnosis& diagnosis) {
-    for (std::size_t k = 0; k < catalogue.variants.size(); ++k) {
-        if (catalogue.variants[k].mistakes.empty()) continue;
-        if (!is_same(cases, facts, answers, catalogue.answers[k], demand)) continue;
-        diagnosis = {Diagnosis::Kind::exactly, catalogue.variants[k].mistakes, 0.0};
-        return true;
+bool shares_mistake(const std::vector<std::size_t>& a, const std::vector<std::size_t>& b) {
+    return std::find_first_of(a.begin(), a.end(), b.begin(), b.end()) != a.end();
+}
+
+struct Candidate {
+    double misfit;
+    std::size_t variant;
+};
+
+/// The best of some variants, and the best of those that are its rivals: that name neither of its mistakes.
+struct Best {
+    Candidate first{2.0, 0}, next{1.0, 0};
+    bool has_rival = false;
+};
+
+Best best_of(const Fits& fits, std::vector<Candidate> candidates) {
+    std::stable_sort(candidates.begin(), candidates.end(),
+                     [](const Candidate& a, const Candidate& b) { return a.misfit < b.misfit; });
+    Best best;
+    if (candidates.empty()) return best;
+    best.first = candidates[0];
+    const std::vector<std::size_t>& named = fits.mistakes(best.first.variant);
+    for (const Candidate& c : candidates) {
+        // More mistakes than the best has fit better by chance: they are no rivals.
+        const std::vector<std::size_t>& others = fits.mistakes(c.variant);
+        if (others.size() > named.size() || shares_mistake(named, others)) continue;
+        best.next = c;
+        best.has_rival = true;
+        break;
     }
-    return false;
+    return best;
+}
+
+/// The variants that are the same, as far as demanded. Where they need not be the same in all, the one that explains
+/// most of the rest; if another explains about as much, nothing can be said.
+bool find_same(Fits& fits, Demand demand, Diagnosis& diagnosis) {
+    std::vector<Candidate> same;
+    for (std::size_t k = 0; k < fits.catalogue.variants.size(); ++k) {
+        if (!fits.mistakes(k).empty() && is_same(fits, k, demand)) same.push_back({misfit_over(fits, k, true), k});
+    }
+    if (same.empty()) return false;
+    const Best best = best_of(fits, same);
+    const bool is_clear = !best.has_rival || best.next.misfit >= kClearlyBetter * best.first.misfit;
+    if (demand == Demand::pictures && !is_clear) return false;
+    diagnosis = {Diagnosis::Kind::exactly, fits.mistakes(best.first.variant), 0.0};
+    return true;
+}
+
+/// Is there a table for each of two mistakes that it alone makes wrong, and does the pair explain those? Then each is
+/// judged by tables of its own, as if it were alone.
+bool has_own_tables(Fits& fits, std::size_t variant) {
+    const std::vector<std::size_t>& pair = fits.mistakes(variant);
+    const auto is_wrong_alone = [&](std::size_t mistake, std::size_t i) {
+        for (std::size_t k = 0; k < fits.catalogue.variants.size(); ++k) {
+            if (fits.mistakes(k) == std::vector<std::size_t>{mistake} && fits.is_wrong(k, i)) return true;
+        }
+        return false;
+    };
+    bool own[2] = {false, false};
+    for (std::size_t i = 0; i < fits.wrong.size(); ++i) {
+        if (!fits.wrong[i] || fits.misfit(variant, i) > kMostMisfit) continue;
+        const bool wrong[2] = {is_wrong_alone(pair[0], i), is_wrong_alone(pair[1], i)};
+        if (wrong[0] != wrong[1]) own[wrong[0] ? 0 : 1] = true;
+    }
+    return own[0] && own[1];
 }
 
 /// The best fit, if it is good and nothing else fits about as well. Two mistakes need to fit better than one.
-void find_nearest(const CaseSet& cases, const Facts& facts, const Answers& answers, const Catalogue& catalogue,
-                  Diagnosis& diagnosis) {
-    struct Fit {
-        double misfit;
-        std::size_t variant;
-    };
-    std::vector<Fit> fits;
-    for (std::size_t k = 0; k < catalogue.variants.size(); ++k) {
-        const std::size_t count = catalogue.variants[k].mistakes.size();
-        if (count == 0) continue;
-        const double misfit = misfit_over(cases, facts, answers, catalogue.answers[k]);
-        fits.push_back({misfit + 0.01 * static_cast<double>(count), k});
+void find_nearest(Fits& fits, Diagnosis& diagnosis) {
+    std::vector<Candidate> all;
+    for (std::size_t k = 0; k < fits.catalogue.variants.size(); ++k) {
+        if (!fits.mistakes(k).empty()) all.push_back({misfit_over(fits, k, false), k});
     }
-    std::sort(fits.begin(), fits.end(), [](const Fit& a, const Fit& b) { return a.misfit < b.misfit; });
-    if (fits.empty()) return;
-    const std::vector<std::size_t>& best = catalogue.variants[fits[0].variant].mistakes;
-    // More mistakes than the best has fit better by chance: they are no rivals.
-    const auto is_no_rival = [&](const Fit& fit) {
-        const std::vector<std::size_t>& named = catalogue.variants[fit.variant].mistakes;
-        if (named.size() > best.size()) return true;
-        return std::find_first_of(best.begin(), best.end(), named.begin(), named.end()) != best.end();
-    };
-    const auto next = std::find_if_not(fits.begin(), fits.end(), is_no_rival);
-    diagnosis.misfit = fits[0].misfit;
-    diagnosis.next_misfit = next == fits.end() ? 1.0 : next->misfit;
-    if (diagnosis.misfit > (best.size() == 1 ? kMostMisfit : kMostMisfitOfPair)) return;
+    const Best best = best_of(fits, all);
+    diagnosis.misfit = best.first.misfit;
+    diagnosis.next_misfit = best.next.misfit;
+    const std::vector<std::size_t>& named = fits.mistakes(best.first.variant);
+    const bool is_lenient = named.size() == 1 || has_own_tables(fits, best.first.variant);
+    if (diagnosis.misfit > (is_lenient ? kMostMisfit : kMostMisfitOfPair)) return;
     if (diagnosis.next_misfit < kClearlyBetter * diagnosis.misfit) return;
     diagnosis.kind = Diagnosis::Kind::nearly;
-    diagnosis.mistakes = best;
+    diagnosis.mistakes = named;
 }
 
 }  // namespace
@@ -164,26 +252,19 @@ Catalogue make_catalogue(const Rubric& rubric, const CaseSet& cases, bool with_p
     return catalogue;
 }
 
-Diagnosis diagnose(const Rubric& rubric, const CaseSet& cases, const Answers& answers, const Catalogue& catalogue) {
-    Facts facts;
-    bool any_wrong = false;
-    for (std::size_t i = 0; i < cases.inputs.size(); ++i) {
-        const RubricStage& stage = *rubric.find_stage(cases.inputs[i].stage);
-        const bool answered = is_answered(answers.tables[i]);
-        facts.stage.push_back(&stage);
-        facts.wrong.push_back(answered &&
-                              !check_stage(stage, cases.inputs[i], cases.expected[i], answers.tables[i]).passed());
-        any_wrong = any_wrong || facts.wrong.back() || !answered;
-    }
+Diagnosis diagnose(const Marking& marking, const Catalogue& catalogue) {
     Diagnosis diagnosis;
-    if (!any_wrong) {
+    bool all_right = true;
+    for (std::size_t i = 0; i < marking.answers.size(); ++i) all_right = all_right && marking.is_right(i);
+    if (all_right) {
         diagnosis.kind = Diagnosis::Kind::right;
         return diagnosis;
     }
+    Fits fits(marking, catalogue);
     for (const Demand demand : {Demand::all, Demand::wrong, Demand::pictures}) {
-        if (find_same(cases, facts, answers, catalogue, demand, diagnosis)) return diagnosis;
+        if (find_same(fits, demand, diagnosis)) return diagnosis;
     }
-    find_nearest(cases, facts, answers, catalogue, diagnosis);
+    find_nearest(fits, diagnosis);
     return diagnosis;
 }
 
