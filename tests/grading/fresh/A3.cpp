@@ -21,20 +21,20 @@ float spot_cone(float cos_angle, float cos_inner, float cos_outer) {
 LightSample sample_light(const Light& light, const glm::vec3& p) {
     LightSample out;
     switch (light.type) {
-    case LightType::directional:
-        out.l = glm::vec3(-light.axis.x, -light.axis.y, -light.axis.z);
-        out.irradiance = light.radiance;
-        break;
-    case LightType::point:
-        out.l = glm::normalize(light.position - p);
-        out.irradiance = light.radiance * attenuate(light.attenuation, glm::distance(p, light.position));
-        break;
-    case LightType::spot:
-        out.l = glm::normalize(light.position - p);
-        out.irradiance = light.radiance * attenuate(light.attenuation, glm::distance(p, light.position));
-        out.irradiance *= spot_cone(glm::dot(glm::normalize(p - light.position), light.axis), light.cos_inner,
-                                    light.cos_outer);
-        break;
+        case LightType::directional:
+            out.l = glm::vec3(-light.axis.x, -light.axis.y, -light.axis.z);
+            out.irradiance = light.radiance;
+            break;
+        case LightType::point:
+            out.l = glm::normalize(light.position - p);
+            out.irradiance = light.radiance * attenuate(light.attenuation, glm::distance(p, light.position));
+            break;
+        case LightType::spot:
+            out.l = glm::normalize(light.position - p);
+            out.irradiance = light.radiance * attenuate(light.attenuation, glm::distance(p, light.position));
+            out.irradiance *=
+                spot_cone(glm::dot(glm::normalize(p - light.position), light.axis), light.cos_inner, light.cos_outer);
+            break;
     }
     return out;
 }

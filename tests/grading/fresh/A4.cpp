@@ -43,9 +43,9 @@ glm::vec3 phong_color(const Triangle& t, const Weights& w, const Lit& lit) {
 
 glm::vec3 shade_pixel(Frequency frequency, const Triangle& t, const Weights& w, const Lit& lit) {
     switch (frequency) {
-    case Frequency::flat: return flat_color(t, lit);
-    case Frequency::gouraud: return gouraud_color(t, w, lit);
-    case Frequency::phong: break;
+        case Frequency::flat: return flat_color(t, lit);
+        case Frequency::gouraud: return gouraud_color(t, w, lit);
+        case Frequency::phong: break;
     }
     return phong_color(t, w, lit);
 }

@@ -23,10 +23,10 @@ float fog_factor(const Fog& fog, float z) {
     const float dz = fog.density * z;
     const float range = fog.end - fog.start;
     switch (fog.mode) {
-    case FogMode::linear: return glm::clamp((fog.end - z) / range, 0.0f, 1.0f);
-    case FogMode::exp: return glm::clamp(std::exp(-dz), 0.0f, 1.0f);
-    case FogMode::exp2: return glm::clamp(std::exp(-std::pow(dz, 2.0f)), 0.0f, 1.0f);
-    default: return 1.0f;
+        case FogMode::linear: return glm::clamp((fog.end - z) / range, 0.0f, 1.0f);
+        case FogMode::exp: return glm::clamp(std::exp(-dz), 0.0f, 1.0f);
+        case FogMode::exp2: return glm::clamp(std::exp(-std::pow(dz, 2.0f)), 0.0f, 1.0f);
+        default: return 1.0f;
     }
 }
 

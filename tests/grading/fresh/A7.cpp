@@ -16,16 +16,16 @@ glm::vec3 light_space(const LightCamera& camera, const glm::vec3& p) {
 
 Place map_place(const LightCamera& camera, const glm::vec3& q, int size) {
     Place place;
-    place.u = q.x / camera.texel + float(size) / 2.0f;
-    place.v = float(size) / 2.0f - q.y / camera.texel;
+    place.u = q.x / camera.texel.x + float(size) / 2.0f;
+    place.v = float(size) / 2.0f - q.y / camera.texel.y;
     place.distance = -q.z;
     return place;
 }
 
-float least_bias(const glm::vec3& n_view, float texel) {
-    const float tangent_u = std::fabs(n_view.x / n_view.z);
-    const float tangent_v = std::fabs(n_view.y / n_view.z);
-    return (tangent_u + tangent_v) * texel * 0.5f;
+float least_bias(const glm::vec3& n_view, const glm::vec2& texel) {
+    const float tangent_u = std::fabs(n_view.x / n_view.z) * texel.x;
+    const float tangent_v = std::fabs(n_view.y / n_view.z) * texel.y;
+    return (tangent_u + tangent_v) * 0.5f;
 }
 
 float is_lit(const ShadowMap& map, int column, int row, float distance) {

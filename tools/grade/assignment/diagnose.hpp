@@ -4,18 +4,9 @@
 #include <string>
 #include <vector>
 
-#include "tools/grade/assignment/mistakes.hpp"
-#include "tools/grade/assignment/score.hpp"
-#include "tools/grade/assignment/variant_answers.hpp"
+#include "tools/grade/assignment/table_fits.hpp"
 
 namespace kreda::tools {
-
-/// The catalogue of an assignment with what every variant answers to these cases.
-struct Catalogue {
-    std::vector<Mistake> mistakes;
-    std::vector<Variant> variants;
-    VariantAnswers answers;
-};
 
 [[nodiscard]] Catalogue make_catalogue(const Rubric& rubric, const CaseSet& cases, bool with_pairs = true);
 
