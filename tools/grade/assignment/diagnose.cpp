@@ -66,13 +66,19 @@ double unexplained_by(Fits& fits, std::size_t variant) {
     return sum;
 }
 
-/// Two mistakes make many pictures: they must explain a function of their own, too.
+/// May a variant that has the submission's pictures be named? Not if it both leaves a function that is wrong
+/// unexplained and spoils one that is right. Two mistakes make many pictures: they must explain a function of their
+/// own, too.
 bool may_be_named(Fits& fits, std::size_t variant) {
-    if (fits.mistakes(variant).size() < 2) return true;
+    bool explains = false, leaves = false, spoils = false;
     for (std::size_t i = 0; i < fits.wrong.size(); ++i) {
-        if (fits.wrong[i] && !fits.marking.stage(i).picture && explains_function(fits, variant, i)) return true;
+        if (!fits.is_answered(i) || fits.marking.stage(i).picture) continue;
+        const bool explained = explains_function(fits, variant, i);
+        explains = explains || explained;
+        leaves = leaves || (fits.wrong[i] && !explained);
+        spoils = spoils || (!fits.wrong[i] && fits.is_wrong(variant, i));
     }
-    return false;
+    return !(leaves && spoils) && (explains || fits.mistakes(variant).size() < 2);
 }
 
 bool shares_mistake(const std::vector<std::size_t>& a, const std::vector<std::size_t>& b) {
