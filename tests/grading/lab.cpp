@@ -26,22 +26,36 @@ const Lab& lab(const std::string& folder) {
     static std::map<std::string, Lab> labs;
     const auto found = labs.find(folder);
     if (found != labs.end()) return found->second;
-    Lab made{tools::read_rubric(kFolder / folder / "rubric.toml"), {}, {}};
+    Lab made{tools::read_rubric(kFolder / folder / "rubric.toml"), {}, {}, {}};
     made.cases = tools::make_cases(made.rubric, {});
     made.catalogue = tools::make_catalogue(made.rubric, made.cases);
+    for (std::size_t i = 0; i < made.cases.inputs.size(); ++i) {
+        const tools::RubricStage& stage = *made.rubric.find_stage(made.cases.inputs[i].stage);
+        std::vector<tools::StageCheck>& checks = made.checks.emplace_back();
+        for (const tools::StageTable& answers : made.catalogue.answers.tables[i]) {
+            checks.push_back(tools::check_stage(stage, made.cases.inputs[i], made.cases.expected[i], answers));
+        }
+    }
     return labs.emplace(folder, std::move(made)).first->second;
 }
 
-tools::Answers all_answered(const std::vector<tools::StageTable>& tables) {
-    return {tables, std::vector<std::string>(tables.size())};
+tools::Marking marking(const Lab& lab, const std::vector<tools::StageTable>& tables) {
+    tools::Marking m{lab.rubric, lab.cases, {}, std::vector<std::string>(tables.size()), {}};
+    for (std::size_t i = 0; i < tables.size(); ++i) {
+        m.answers.push_back(&tables[i]);
+        m.checks.push_back(tools::check_stage(m.stage(i), lab.cases.inputs[i], lab.cases.expected[i], tables[i]));
+    }
+    return m;
 }
 
-double points(const Lab& lab, const std::vector<tools::StageTable>& tables) {
-    return tools::points_of(tools::score(lab.rubric, lab.cases, all_answered(tables), false));
-}
-
-tools::Diagnosis diagnosis(const Lab& lab, const std::vector<tools::StageTable>& tables) {
-    return tools::diagnose(lab.rubric, lab.cases, all_answered(tables), lab.catalogue);
+tools::Marking marking(const Lab& lab, std::size_t variant) {
+    const std::size_t count = lab.cases.inputs.size();
+    tools::Marking m{lab.rubric, lab.cases, {}, std::vector<std::string>(count), {}};
+    for (std::size_t i = 0; i < count; ++i) {
+        m.answers.push_back(&lab.catalogue.answers.of(variant, i));
+        m.checks.push_back(lab.checks[i][lab.catalogue.answers.number[variant][i]]);
+    }
+    return m;
 }
 
 std::string names(const Lab& lab, const std::vector<std::size_t>& mistakes) {

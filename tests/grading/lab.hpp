@@ -13,6 +13,7 @@ struct Lab {
     tools::Rubric rubric;
     tools::CaseSet cases;
     tools::Catalogue catalogue;
+    std::vector<std::vector<tools::StageCheck>> checks;  ///< of the catalogue's answers: [input][number]
 };
 
 /// The folders of all assignments, "A1_coverage" first.
@@ -21,10 +22,10 @@ struct Lab {
 /// With one hidden scene for each public one, and every pair of mistakes. Made once a process.
 [[nodiscard]] const Lab& lab(const std::string& folder);
 
-/// What a table of answers, one for each input, scores and looks like.
-[[nodiscard]] tools::Answers all_answered(const std::vector<tools::StageTable>& tables);
-[[nodiscard]] double points(const Lab& lab, const std::vector<tools::StageTable>& tables);
-[[nodiscard]] tools::Diagnosis diagnosis(const Lab& lab, const std::vector<tools::StageTable>& tables);
+/// A table of answers for each input, held against Kreda's.
+[[nodiscard]] tools::Marking marking(const Lab& lab, const std::vector<tools::StageTable>& tables);
+/// The same of a variant of the catalogue; what many answer alike is checked once.
+[[nodiscard]] tools::Marking marking(const Lab& lab, std::size_t variant);
 
 /// "a, b"
 [[nodiscard]] std::string names(const Lab& lab, const std::vector<std::size_t>& mistakes);

@@ -41,6 +41,10 @@ tools::GradeOptions unboxed_if_need_be() {
     return options;
 }
 
+tools::Answers all_answered(const std::vector<tools::StageTable>& tables) {
+    return {tables, std::vector<std::string>(tables.size())};
+}
+
 std::string failures(const tools::GradeResult& result) {
     std::string text = result.error;
     for (const tools::TestResult& test : result.tests) {
@@ -51,19 +55,29 @@ std::string failures(const tools::GradeResult& result) {
 
 }  // namespace
 
-TEST_CASE("stubs compile and score nothing; solutions score all") {
+TEST_CASE("stubs compile and score nothing; solutions score all, hidden scenes too; one seed gives one text") {
+    const std::string text = tools::read_text(rubric_of("A3_lights").scenes[0].string());
+    CHECK(tools::vary_scene(text, 17) == tools::vary_scene(text, 17));
+    CHECK(tools::vary_scene(text, 17) != tools::vary_scene(text, 18));
+    CHECK(tools::vary_scene("[camera]\ntarget = [1, 2, 3]\n", 5) == "[camera]\ntarget = [1, 2, 3]\n");
     for (const std::string& folder : assignment_folders()) {
         CAPTURE(folder);
         const tools::Rubric rubric = rubric_of(folder);
-        const tools::CaseSet cases = tools::make_cases(rubric, {});
+        const tools::BoxFolder hidden;
+        const auto files = tools::write_hidden_scenes(rubric, 17, hidden.path() / "scenes");
+        CHECK(files.size() == rubric.scenes.size());
+        const tools::CaseSet cases = tools::make_cases(rubric, {hidden.path() / "scenes"});
         const std::vector<tools::Variant> variants = {
-            {{}, tools::read_solution(rubric)},
-            {{}, tools::read_text((kAssignments / folder / "student.cpp").string())}};
+            {{}, {}, tools::read_solution(rubric)},
+            {{}, {}, tools::read_text((kAssignments / folder / "student.cpp").string())}};
         const auto answers = tools::answers_of_variants(rubric, cases, variants);
-        const auto solved = tools::score(rubric, cases, all_answered(answers[0]), false);
-        const auto stub = tools::score(rubric, cases, all_answered(answers[1]), false);
-        CHECK(tools::points_of(solved) == tools::max_points_of(solved));
-        CHECK(tools::points_of(stub) == 0.0);
+        const tools::Answers solved = all_answered(answers.all_of(0)), stub = all_answered(answers.all_of(1));
+        const tools::Marking marking = tools::make_marking(rubric, cases, solved);
+        const auto tests = tools::score(marking, false);
+        CHECK(tools::first_wrong_stage(marking) == "");
+        CHECK(tools::points_of(tests) == tools::max_points_of(tests));
+        CHECK(tools::points_of(marking) == tools::max_points_of(tests));
+        CHECK(tools::points_of(tools::score(tools::make_marking(rubric, cases, stub), false)) == 0.0);
     }
 }
 
@@ -158,26 +172,6 @@ TEST_CASE("golden pictures are what kreda renders or what its functions answer")
     }
 }
 
-TEST_CASE("hidden scenes: one seed gives one text and every function is called") {
-    const tools::Rubric rubric = rubric_of("A3_lights");
-    const std::string text = tools::read_text(rubric.scenes[0].string());
-    CHECK(tools::vary_scene(text, 17) == tools::vary_scene(text, 17));
-    CHECK(tools::vary_scene(text, 17) != tools::vary_scene(text, 18));
-    CHECK(tools::vary_scene("[camera]\ntarget = [1, 2, 3]\n", 5) == "[camera]\ntarget = [1, 2, 3]\n");
-    for (const std::string& folder : assignment_folders()) {
-        const tools::Rubric other = rubric_of(folder);
-        const tools::BoxFolder hidden;
-        const auto files = tools::write_hidden_scenes(other, 17, hidden.path() / "scenes");
-        CHECK(files.size() == other.scenes.size());
-        const tools::CaseSet cases = tools::make_cases(other, {hidden.path() / "scenes"});
-        const auto answers = tools::answers_of_variants(other, cases, {{{}, tools::read_solution(other)}});
-        const auto marked = tools::score(other, cases, all_answered(answers[0]), false);
-        CAPTURE(folder);
-        CHECK(tools::first_wrong_stage(other, cases, all_answered(answers[0])) == "");
-        CHECK(tools::points_of(marked) == tools::max_points_of(marked));
-    }
-}
-
 TEST_CASE("a wrong rubric is one line with its place") {
     const tools::BoxFolder folder;
     const fs::path file = folder.path() / "rubric.toml";
@@ -224,8 +218,8 @@ TEST_CASE("two mistakes that cancel out do not count") {
     REQUIRE(tools::apply({{"const float v = 0.5f - std::asin(", "const float v = 0.5f + std::asin("},
                           {"image.texels[row * image.width", "image.texels[(image.height - 1 - row) * image.width"}},
                          text));
-    const auto answers = tools::answers_of_variants(rubric, cases, {{{}, text}});
-    for (const tools::TestResult& test : tools::score(rubric, cases, all_answered(answers[0]), false)) {
+    const tools::Answers answers = all_answered(tools::answers_of_variants(rubric, cases, {{{}, {}, text}}).all_of(0));
+    for (const tools::TestResult& test : tools::score(tools::make_marking(rubric, cases, answers), false)) {
         CAPTURE(test.name);
         const bool stands_alone =
             test.name == "3 cosine-weighted directions" || test.name == "5 half vectors" || test.name == "6 mip level";

@@ -2,6 +2,7 @@
 #include <doctest/doctest.h>
 
 #include <algorithm>
+#include <map>
 
 #include "tests/grading/lab.hpp"
 #include "tools/grade/assignment/stage_check.hpp"
@@ -16,59 +17,63 @@ namespace {
 bool answers_like(const Lab& l, std::size_t variant, std::size_t other) {
     for (std::size_t i = 0; i < l.cases.inputs.size(); ++i) {
         const tools::RubricStage& stage = *l.rubric.find_stage(l.cases.inputs[i].stage);
-        if (!tools::same_answers(stage, l.cases.inputs[i], l.catalogue.answers[variant][i],
-                                 l.catalogue.answers[other][i], 0.002)) {
+        const tools::VariantAnswers& answers = l.catalogue.answers;
+        if (!tools::same_answers(stage, l.cases.inputs[i], answers.of(variant, i), answers.of(other, i), 0.002)) {
             return false;
         }
     }
     return true;
 }
 
-/// The first way of each mistake, as a variant.
-std::vector<std::size_t> first_ways(const Lab& l) {
-    std::vector<std::size_t> first(l.catalogue.mistakes.size(), 0);
-    for (std::size_t k = 1; k < l.catalogue.variants.size(); ++k) {
-        const std::vector<std::size_t>& mistakes = l.catalogue.variants[k].mistakes;
-        if (mistakes.size() == 1 && first[mistakes[0]] == 0) first[mistakes[0]] = k;
+/// Does it answer as the solution does, or as a single mistake that was named?
+bool is_hidden_by(const Lab& l, std::size_t variant, const std::vector<std::size_t>& named) {
+    bool hidden = answers_like(l, variant, 0);
+    for (std::size_t k = 1; k < l.catalogue.variants.size() && !hidden; ++k) {
+        hidden = l.catalogue.variants[k].mistakes == named && answers_like(l, variant, k);
     }
-    return first;
+    return hidden;
 }
 
+/// Two turns of the fog's factor: with linear fog the second undoes the first, and pictures of it are right.
+bool undo_each_other(const std::string& folder, const std::string& pair) {
+    return folder == "A5_fog" && pair == "fog_inverted, linear_upside_down";
+}
+
+/// Every way of every mistake costs points, and no pair of ways scores more than either of its two.
 void check_mistakes(const std::string& folder) {
     const Lab& l = lab(folder);
-    const double most = points(l, l.cases.expected);
+    const double most = points_of(marking(l, l.cases.expected));
     REQUIRE(most > 0.0);
-    CHECK(points(l, l.catalogue.answers[0]) == most);
-    CHECK(tools::first_wrong_stage(l.rubric, l.cases, all_answered(l.catalogue.answers[0])) == "");
-    std::vector<double> single(l.catalogue.mistakes.size(), -1.0);
-    const std::vector<std::size_t> first = first_ways(l);
-    for (std::size_t k = 1; k < l.catalogue.variants.size(); ++k) {
-        const std::vector<std::size_t>& mistakes = l.catalogue.variants[k].mistakes;
-        const std::string name = names(l, mistakes);
+    CHECK(points_of(marking(l, 0)) == most);
+    CHECK(tools::first_wrong_stage(marking(l, 0)) == "");
+    std::map<std::pair<std::size_t, std::size_t>, std::size_t> single;  // mistake and way -> variant
+    std::vector<double> points;
+    for (std::size_t k = 0; k < l.catalogue.variants.size(); ++k) {
+        const tools::Variant& variant = l.catalogue.variants[k];
         CAPTURE(folder);
-        CAPTURE(name);
-        if (mistakes.size() == 1) {
-            const double p = points(l, l.catalogue.answers[k]);
-            CHECK(p < most);
-            if (k == first[mistakes[0]]) single[mistakes[0]] = p;
-        } else if (k % 5 == 0) {  // pairs are many
-            const double p = points(l, l.catalogue.answers[k]);
-            if (p <= std::min(single[mistakes[0]], single[mistakes[1]])) continue;
-            const bool hidden = answers_like(l, k, 0) || answers_like(l, k, first[mistakes[0]]) ||
-                                answers_like(l, k, first[mistakes[1]]);
-            CHECK_MESSAGE(hidden,
-                          p << " points, " << single[mistakes[0]] << " and " << single[mistakes[1]] << " alone");
+        CAPTURE(names(l, variant.mistakes));
+        points.push_back(points_of(marking(l, k)));
+        if (variant.ways.size() == 1) {
+            CHECK(points[k] < most);
+            single[{variant.mistakes[0], variant.ways[0]}] = k;
+        } else if (variant.ways.size() == 2) {
+            const std::size_t a = single.at({variant.mistakes[0], variant.ways[0]});
+            const std::size_t b = single.at({variant.mistakes[1], variant.ways[1]});
+            if (points[k] <= std::min(points[a], points[b])) continue;
+            CHECK(points[k] <= std::max(points[a], points[b]));
+            if (undo_each_other(folder, names(l, variant.mistakes))) continue;
+            const bool hidden = answers_like(l, k, 0) || answers_like(l, k, a) || answers_like(l, k, b);
+            CHECK_MESSAGE(hidden, points[k] << " points, " << points[a] << " and " << points[b] << " alone");
         }
     }
 }
 
+/// The diagnosis names every way of every mistake, and every pair.
 void check_own_names(const std::string& folder) {
     const Lab& l = lab(folder);
-    const std::vector<std::size_t> first = first_ways(l);
     for (std::size_t k = 1; k < l.catalogue.variants.size(); ++k) {
         const std::vector<std::size_t>& mistakes = l.catalogue.variants[k].mistakes;
-        if (mistakes.size() == 2 && k % 11 != 0) continue;  // pairs are many
-        const tools::Diagnosis d = diagnosis(l, l.catalogue.answers[k]);
+        const tools::Diagnosis d = tools::diagnose(marking(l, k), l.catalogue);
         if (d.mistakes == mistakes) continue;
         CAPTURE(folder);
         CAPTURE(names(l, mistakes));
@@ -76,8 +81,7 @@ void check_own_names(const std::string& folder) {
         REQUIRE(mistakes.size() == 2);  // a mistake alone is named
         // A pair may answer as one mistake alone: one of its own, which hides the other, or the two add up to a third.
         REQUIRE(d.mistakes.size() <= 2);
-        const bool alike = answers_like(l, k, 0) || answers_like(l, k, first[d.mistakes.at(0)]);
-        CHECK((alike || d.mistakes.size() == 2));
+        CHECK((d.mistakes.size() == 2 || is_hidden_by(l, k, d.mistakes)));
     }
 }
 

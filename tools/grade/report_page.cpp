@@ -83,9 +83,10 @@ std::string test_html(const TestResult& test, Reader reader) {
 }
 
 std::string summary_html(const GradeResult& result) {
-    std::string html = "<header><h1>" + markup_text(result.submission) + "</h1>\n<p>" + markup_text(result.assignment) +
-                       "</p>\n<p class=\"total\"><b>" + points_text(result.points) + "</b> of " +
-                       points_text(result.max_points) + " points</p>\n";
+    const std::string due = result.deadline.empty() ? "" : ", due " + result.deadline;
+    std::string html = "<header><h1>" + markup_text(result.submission) + "</h1>\n<p>" +
+                       markup_text(result.assignment + due) + "</p>\n<p class=\"total\"><b>" +
+                       points_text(result.points) + "</b> of " + points_text(result.max_points) + " points</p>\n";
     if (!result.error.empty()) html += "<pre class=\"bad\">" + markup_text(result.error) + "</pre>\n";
     if (!result.diagnosis.empty()) html += "<p class=\"first\">" + markup_text(result.diagnosis) + "</p>\n";
     return html + "</header>\n<main>\n";

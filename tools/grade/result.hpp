@@ -42,6 +42,7 @@ struct GradeResult {
     double seconds = 0.0;   ///< how long grading took
     std::string viva;       ///< questions about this submission, as Markdown; empty unless they were asked for
     std::string viva_key;   ///< the same with the answers
+    std::string deadline;   ///< the rubric's, as it stands; empty: none is told
 };
 
 /// The name of the box, or "none".

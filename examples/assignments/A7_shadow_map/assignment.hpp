@@ -5,13 +5,14 @@
 #include <vector>
 
 #include <glm/geometric.hpp>
+#include <glm/vec2.hpp>
 #include <glm/vec3.hpp>
 
 /// The picture that a directional light sees.
 struct LightCamera {
     glm::vec3 right, up, backward;  ///< its axes, unit, world space; light travels along -backward
     glm::vec3 origin;               ///< a point of the plane of distance 0, the middle of the picture; world space
-    float texel;                    ///< width and height of a texel, world units
+    glm::vec2 texel;                ///< width and height of a texel, world units
     float constant_bias;            ///< world units
     float slope_bias;               ///< times least_bias
 };
@@ -30,7 +31,7 @@ struct ShadowMap {
 
 glm::vec3 light_space(const LightCamera& camera, const glm::vec3& p);
 Place map_place(const LightCamera& camera, const glm::vec3& q, int size);
-float least_bias(const glm::vec3& n_view, float texel);
+float least_bias(const glm::vec3& n_view, const glm::vec2& texel);
 float is_lit(const ShadowMap& map, int column, int row, float distance);
 float pcf(const ShadowMap& map, const Place& place, int radius);
 float shadow_factor(const LightCamera& camera, const ShadowMap& map, const glm::vec3& p, const glm::vec3& n,

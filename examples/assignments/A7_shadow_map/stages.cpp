@@ -6,13 +6,9 @@ namespace {
 
 LightCamera camera_of(const harness::Row& row) {
     const glm::vec3 rest = row.vec3_at("light_camera", 4);
-    return {row.vec3_at("light_camera", 0),
-            row.vec3_at("light_camera", 1),
-            row.vec3_at("light_camera", 2),
-            row.vec3_at("light_camera", 3),
-            rest.x,
-            rest.y,
-            rest.z};
+    return {row.vec3_at("light_camera", 0),   row.vec3_at("light_camera", 1), row.vec3_at("light_camera", 2),
+            row.vec3_at("light_camera", 3),   glm::vec2(rest.x, rest.y),      rest.z,
+            row.number_at("light_camera", 15)};
 }
 
 /// The map is the same for all rows of a table: it is read once.
@@ -37,7 +33,7 @@ void run_row(harness::Row row) {
         const Place place = map_place(camera_of(row), row.vec3("q"), static_cast<int>(row.integer("size")));
         row.put("u_v_distance", glm::vec3(place.u, place.v, place.distance));
     } else if (row.is("least_bias")) {
-        row.put("B", least_bias(row.vec3("n_view"), row.number("texel")));
+        row.put("B", least_bias(row.vec3("n_view"), row.vec2("texel")));
     } else if (row.is("is_lit")) {
         row.put("lit", is_lit(map_of(row), static_cast<int>(row.integer("column")),
                               static_cast<int>(row.integer("row")), row.number("distance")));

@@ -13,9 +13,9 @@ Place map_place(const LightCamera& camera, const glm::vec3& q, int size) {
     return {0.0f, 0.0f, 0.0f};  // A7: write here
 }
 
-// The least bias without acne: B = (|z_u| + |z_v|) / 2, where z_u = texel n_x / n_z and z_v = texel n_y / n_z are what
-// the distance changes by from texel to texel. n_view: the unit normal in the light's space, n_z > 0.
-float least_bias(const glm::vec3& n_view, float texel) {
+// The least bias without acne: B = (|z_u| + |z_v|) / 2, where z_u = texel_x n_x / n_z and z_v = texel_y n_y / n_z are
+// what the distance changes by from texel to texel. n_view: the unit normal in the light's space, n_z > 0.
+float least_bias(const glm::vec3& n_view, const glm::vec2& texel) {
     (void)n_view, (void)texel;
     return 0.0f;  // A7: write here
 }

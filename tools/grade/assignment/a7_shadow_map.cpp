@@ -31,9 +31,10 @@ LightCamera camera_of(const StageRow& row, int size) {
     LightCamera camera;
     camera.axes = glm::transpose(glm::mat3(right, up, row.vec3_at("light_camera", 2)));
     camera.origin = row.vec3_at("light_camera", 3);
-    camera.scale = {glm::vec2(rest.x), glm::vec2(1.0f / rest.x), 0.5f * static_cast<float>(size)};
-    camera.constant_bias = rest.y;
-    camera.slope_bias = rest.z;
+    const glm::vec2 texel(rest.x, rest.y);
+    camera.scale = {texel, 1.0f / texel, 0.5f * static_cast<float>(size)};
+    camera.constant_bias = rest.z;
+    camera.slope_bias = row.number_at("light_camera", 15);
     return camera;
 }
 
@@ -96,7 +97,7 @@ std::vector<double> camera_numbers(const shadows::ShadowMap& map) {
     }
     for (int c = 0; c < 3; ++c) numbers.push_back(view.origin[c]);
     const bool follows = settings.bias == shadows::ShadowBias::slope;
-    numbers.push_back(2.0f * view.half_size.x / static_cast<float>(settings.size));
+    for (int c = 0; c < 2; ++c) numbers.push_back(2.0f * view.half_size[c] / static_cast<float>(settings.size));
     numbers.push_back(settings.constant_bias * (view.far - view.near));
     numbers.push_back(follows ? settings.slope_bias : 0.0f);
     return numbers;
@@ -148,7 +149,7 @@ void record_shadow_functions(const SceneRecord& record, std::vector<StageTable>&
         place.end_row(p.pixel);
         if (v.n.z > 0.05f) {
             bias.add("n_view", v.n);
-            bias.add("texel", scale.texel.x);
+            bias.add("texel", scale.texel);
             bias.end_row(p.pixel);
         }
         const shadows::MapPoint at = shadows::map_point_parallel(v.q, v.n, scale, {});
@@ -187,7 +188,7 @@ void reference_a7(StageRow row) {
         camera.constant_bias = camera.slope_bias = 0.0f;
         row.put("u_v_distance", place_of(camera, row.vec3("q"), {0.0f, 0.0f, 1.0f}));
     } else if (row.is("least_bias")) {
-        row.put("B", least_bias(row.vec3("n_view"), glm::vec2(row.number("texel"))));
+        row.put("B", least_bias(row.vec3("n_view"), row.vec2("texel")));
     } else if (row.is("is_lit")) {
         row.put("lit", is_lit(row, static_cast<int>(row.integer("column")), static_cast<int>(row.integer("row")),
                               row.number("distance")));

@@ -1,13 +1,11 @@
 #include "tools/grade/assignment/build_program.hpp"
 
 #include <cstdio>
-#include <cstdlib>
 #include <fstream>
 #include <span>
 
-#include <unistd.h>
-
 #include "scene/files/hash_of_bytes.hpp"
+#include "tools/grade/assignment/grade_cache.hpp"
 #include "tools/grade/assignment/table_reader.hpp"
 #include "tools/write_file.hpp"
 
@@ -18,12 +16,6 @@ namespace {
 namespace fs = std::filesystem;
 
 const std::vector<std::string> kLanguage = {"-std=c++20", "-DGLM_FORCE_XYZW_ONLY"};
-
-bool can_write(const fs::path& folder) {
-    std::error_code error;
-    fs::create_directories(folder, error);
-    return access(folder.c_str(), W_OK) == 0;
-}
 
 std::string quoted(const std::string& word) {
     std::string text = "'";
@@ -115,19 +107,6 @@ GivenFiles given_files(const Rubric& rubric) {
     return files;
 }
 
-fs::path grade_cache(const Rubric& rubric) {
-    if (const char* chosen = std::getenv("KREDA_GRADE_CACHE"); chosen != nullptr && *chosen != '\0') {
-        fs::create_directories(chosen);
-        return chosen;
-    }
-    const fs::path beside = rubric.folder() / ".kreda-cache";
-    if (can_write(beside)) return beside;
-    const fs::path elsewhere = fs::temp_directory_path() / ("kreda-grade-" + std::to_string(getuid()));
-    fs::create_directories(elsewhere);
-    fs::permissions(elsewhere, fs::perms::owner_all);
-    return elsewhere;
-}
-
 std::string content_name(const std::string& bytes) {
     char name[17];
     const std::uint64_t hash = scene::hash_of_bytes(std::as_bytes(std::span(bytes.data(), bytes.size())));
@@ -150,19 +129,16 @@ GivenObjects given_objects(const Rubric& rubric) {
     const GivenFiles files = given_files(rubric);
     const std::string name = content_name(read_text(files.harness.string()) + read_text(files.main.string()) +
                                           read_text(files.assignment.string()) + read_text(files.stages.string()));
-    const fs::path cache = grade_cache(rubric);
-    const GivenObjects objects{cache / ("main-" + name + ".o"), cache / ("stages-" + name + ".o")};
-    const auto compile = [&](const fs::path& source, const fs::path& object) {
-        if (fs::exists(object)) return;
-        const fs::path unfinished = object.string() + "." + std::to_string(getpid());
-        run_trusted({"/usr/bin/g++", kLanguage[0], kLanguage[1], "-O1", "-ffp-contract=off", "-I",
-                     files.harness.parent_path().string(), "-I", rubric.folder().string(), "-c", source.string(), "-o",
-                     unfinished.string()});
-        fs::rename(unfinished, object);
-    };
-    compile(files.main, objects.main);
-    compile(files.stages, objects.stages);
-    return objects;
+    const fs::path made = cached_folder("given-" + name, [&](const fs::path& folder) {
+        const auto compile = [&](const fs::path& source, const std::string& object) {
+            run_trusted({"/usr/bin/g++", kLanguage[0], kLanguage[1], "-O1", "-ffp-contract=off", "-I",
+                         files.harness.parent_path().string(), "-I", rubric.folder().string(), "-c", source.string(),
+                         "-o", (folder / object).string()});
+        };
+        compile(files.main, "main.o");
+        compile(files.stages, "stages.o");
+    });
+    return {made / "main.o", made / "stages.o"};
 }
 
 Program compile_submission(const Rubric& rubric, const fs::path& submission, const BoxFolder& box,

@@ -18,10 +18,6 @@ struct GivenFiles {
 };
 [[nodiscard]] GivenFiles given_files(const Rubric& rubric);
 
-/// Where what is the same for all submissions is kept: $KREDA_GRADE_CACHE, or .kreda-cache in the assignment's folder;
-/// where that cannot be written, a folder in the system's temporary one.
-[[nodiscard]] std::filesystem::path grade_cache(const Rubric& rubric);
-
 /// The objects of main.cpp and stages.cpp, compiled once for all submissions.
 struct GivenObjects {
     std::filesystem::path main, stages;

@@ -1,157 +1,170 @@
 #include "tools/grade/assignment/diagnose.hpp"
 
 #include <algorithm>
-#include <cmath>
-
-#include "tools/grade/assignment/stage_check.hpp"
 
 namespace kreda::tools {
 
 namespace {
 
-/// Share of the rows that may differ between two answers that count as the same.
-constexpr double kSameShare = 0.002;
 /// A variant that leaves more of the error unexplained is no explanation; two mistakes explain much by chance.
 constexpr double kMostMisfit = 0.17;
 constexpr double kMostMisfitOfPair = 0.04;
 /// The next mistake must leave this many times as much.
 constexpr double kClearlyBetter = 2.0;
 
-/// The error of one number, made small and finite: what is far off is just far off.
-double error_of(double value, double expected, double scale) {
-    const double error = (value - expected) / (scale + 1e-3);
-    if (!std::isfinite(error)) return 4.0;
-    return std::clamp(error, -4.0, 4.0);
-}
-
-/// How the errors of a submission (s) and of a variant (v) lie to each other, over one table.
-struct Sums {
-    double ss = 0.0, sv = 0.0, vv = 0.0;
-};
-
-Sums sums_of(const StageTable& input, const StageTable& expected, const StageTable& s, const StageTable& v) {
-    Sums sums;
-    for (std::size_t c = 0; c < expected.columns.size(); ++c) {
-        const StageColumn& e = expected.columns[c];
-        for (std::size_t i = 0; i < e.values.size(); ++i) {
-            const std::size_t row = i / e.components;
-            if (!input.doubtful.empty() && input.doubtful[row]) continue;
-            double scale = 0.0;
-            for (std::size_t k = 0; k < e.components; ++k) {
-                scale = std::max(scale, std::abs(e.values[row * e.components + k]));
-            }
-            const double a = error_of(s.columns[c].values[i], e.values[i], scale);
-            const double b = error_of(v.columns[c].values[i], e.values[i], scale);
-            sums.ss += a * a;
-            sums.sv += a * b;
-            sums.vv += b * b;
-        }
-    }
-    return sums;
-}
-
-/// |s - a v|^2 / |s|^2 with the best a > 0; the error may be larger or smaller than the variant's, within limits.
-double misfit_of(const Sums& sums) {
-    if (sums.ss <= 0.0 || sums.vv <= 0.0) return 1.0;
-    const double a = std::clamp(sums.sv / sums.vv, 0.3, 3.0);
-    return std::clamp((sums.ss - 2.0 * a * sums.sv + a * a * sums.vv) / sums.ss, 0.0, 1.0);
-}
-
-/// What is known of a submission before variants are looked at.
-struct Facts {
-    std::vector<const RubricStage*> stage;  ///< one a table
-    std::vector<bool> wrong;                ///< one a table: answered, and wrong
-};
-
 /// Which tables must be the same, from strict to lenient: all; those that are wrong (what the variant has wrong
 /// besides, the submission may do elsewhere); the pictures (it may do even the wrong thing elsewhere).
 enum class Demand { all, wrong, pictures };
 
-/// One and the same wrong answer in every row is no evidence: many mistakes leave a black picture.
-bool says_something(const StageTable& answers, const StageTable& expected) {
-    for (std::size_t k = 0; k < answers.columns.size(); ++k) {
-        const StageColumn& c = answers.columns[k];
-        if (c.values == expected.columns[k].values) continue;
-        for (std::size_t i = c.components; i < c.values.size(); ++i) {
-            if (c.values[i] != c.values[i % c.components] && std::isfinite(c.values[i])) return true;
-        }
-    }
-    return false;
-}
-
 /// Does the variant answer as the submission, as far as demanded, and is anything explained by that?
-bool is_same(const CaseSet& cases, const Facts& facts, const Answers& answers, const std::vector<StageTable>& variant,
-             Demand demand) {
+bool is_same(Fits& fits, std::size_t variant, Demand demand) {
     bool explains = false;
-    for (std::size_t i = 0; i < cases.inputs.size(); ++i) {
-        if (!is_answered(answers.tables[i])) continue;
-        if (demand == Demand::wrong && !facts.wrong[i]) continue;
-        if (demand == Demand::pictures && !facts.stage[i]->picture) continue;
-        if (!same_answers(*facts.stage[i], cases.inputs[i], answers.tables[i], variant[i], kSameShare)) return false;
-        explains = explains ||
-                   (facts.wrong[i] && (demand == Demand::all || says_something(answers.tables[i], cases.expected[i])));
+    for (std::size_t i = 0; i < fits.wrong.size(); ++i) {
+        if (!fits.is_answered(i)) continue;
+        if (demand == Demand::wrong && !fits.wrong[i]) continue;
+        if (demand == Demand::pictures && !fits.marking.stage(i).picture) continue;
+        if (!fits.same(variant, i)) return false;
+        explains = explains || (demand == Demand::all ? fits.wrong[i] : fits.speaks[i]);
     }
     return explains;
 }
 
-/// The mean misfit over the tables that are wrong. A table where the variant is right explains nothing.
-double misfit_over(const CaseSet& cases, const Facts& facts, const Answers& answers,
-                   const std::vector<StageTable>& variant) {
+/// The mean misfit over the tables that are wrong, in the submission or in the variant alone, and a little for each
+/// mistake that it takes. A table where the variant is right explains nothing.
+double misfit_over(Fits& fits, std::size_t variant) {
     double sum = 0.0;
     int count = 0;
-    for (std::size_t i = 0; i < cases.inputs.size(); ++i) {
-        if (!is_answered(answers.tables[i])) continue;
-        const Sums sums = sums_of(cases.inputs[i], cases.expected[i], answers.tables[i], variant[i]);
-        const bool variant_alone = !facts.wrong[i] && sums.vv > 1e-6;
-        if (!facts.wrong[i] && !variant_alone) continue;
-        sum += facts.wrong[i] ? misfit_of(sums) : 0.5;
+    for (std::size_t i = 0; i < fits.wrong.size(); ++i) {
+        if (!fits.is_answered(i) || !(fits.wrong[i] || fits.is_wrong(variant, i))) continue;
+        sum += fits.wrong[i] ? fits.misfit(variant, i) : 0.5;
         ++count;
     }
-    return count > 0 ? sum / count : 1.0;
+    return (count > 0 ? sum / count : 1.0) + 0.01 * static_cast<double>(fits.mistakes(variant).size());
 }
 
-/// The first variant, singles before pairs, that is the same.
-bool find_same(const CaseSet& cases, const Facts& facts, const Answers& answers, const Catalogue& catalogue,
-               Demand demand, Diagnosis& diagnosis) {
-    for (std::size_t k = 0; k < catalogue.variants.size(); ++k) {
-        if (catalogue.variants[k].mistakes.empty()) continue;
-        if (!is_same(cases, facts, answers, catalogue.answers[k], demand)) continue;
-        diagnosis = {Diagnosis::Kind::exactly, catalogue.variants[k].mistakes, 0.0};
-        return true;
+/// Does the variant explain the function of table i, wherever the submission has it wrong?
+bool explains_function(Fits& fits, std::size_t variant, std::size_t i) {
+    for (std::size_t k = 0; k < fits.wrong.size(); ++k) {
+        const bool is_it = fits.wrong[k] && &fits.marking.stage(k) == &fits.marking.stage(i);
+        if (is_it && fits.misfit(variant, k) > kMostMisfit) return false;
     }
-    return false;
+    return fits.wrong[i];
+}
+
+/// How much is left unexplained of a submission that has the variant's pictures: tables of functions that it does not
+/// explain everywhere, and a half for each that the variant alone has wrong.
+double unexplained_by(Fits& fits, std::size_t variant) {
+    double sum = 0.1 * static_cast<double>(fits.mistakes(variant).size());
+    for (std::size_t i = 0; i < fits.wrong.size(); ++i) {
+        if (!fits.is_answered(i)) continue;
+        if (fits.wrong[i]) {
+            sum += explains_function(fits, variant, i) ? fits.misfit(variant, i) : 1.0;
+        } else if (fits.is_wrong(variant, i)) {
+            sum += 0.5;
+        }
+    }
+    return sum;
+}
+
+/// May a variant that has the submission's pictures be named? Not if it both leaves a function that is wrong
+/// unexplained and spoils one that is right. Two mistakes make many pictures: they must explain a function of their
+/// own, too.
+bool may_be_named(Fits& fits, std::size_t variant) {
+    bool explains = false, leaves = false, spoils = false;
+    for (std::size_t i = 0; i < fits.wrong.size(); ++i) {
+        if (!fits.is_answered(i) || fits.marking.stage(i).picture) continue;
+        const bool explained = explains_function(fits, variant, i);
+        explains = explains || explained;
+        leaves = leaves || (fits.wrong[i] && !explained);
+        spoils = spoils || (!fits.wrong[i] && fits.is_wrong(variant, i));
+    }
+    return !(leaves && spoils) && (explains || fits.mistakes(variant).size() < 2);
+}
+
+bool shares_mistake(const std::vector<std::size_t>& a, const std::vector<std::size_t>& b) {
+    return std::find_first_of(a.begin(), a.end(), b.begin(), b.end()) != a.end();
+}
+
+struct Candidate {
+    double misfit;
+    std::size_t variant;
+};
+
+/// The best of some variants, and the best of those that are its rivals: that name neither of its mistakes.
+struct Best {
+    Candidate first{2.0, 0}, next{1.0, 0};
+    bool has_rival = false;
+};
+
+Best best_of(const Fits& fits, std::vector<Candidate> candidates) {
+    std::stable_sort(candidates.begin(), candidates.end(),
+                     [](const Candidate& a, const Candidate& b) { return a.misfit < b.misfit; });
+    Best best;
+    if (candidates.empty()) return best;
+    best.first = candidates[0];
+    const std::vector<std::size_t>& named = fits.mistakes(best.first.variant);
+    for (const Candidate& c : candidates) {
+        // More mistakes than the best has fit better by chance: they are no rivals.
+        const std::vector<std::size_t>& others = fits.mistakes(c.variant);
+        if (others.size() > named.size() || shares_mistake(named, others)) continue;
+        best.next = c;
+        best.has_rival = true;
+        break;
+    }
+    return best;
+}
+
+/// The variants that are the same, as far as demanded: the one that explains most of the rest. Where only the pictures
+/// are the same and another explains about as much, nothing can be said.
+bool find_same(Fits& fits, Demand demand, Diagnosis& diagnosis) {
+    std::vector<Candidate> same;
+    for (std::size_t k = 0; k < fits.catalogue.variants.size(); ++k) {
+        if (fits.mistakes(k).empty() || !is_same(fits, k, demand)) continue;
+        if (demand == Demand::pictures && !may_be_named(fits, k)) continue;
+        same.push_back({unexplained_by(fits, k), k});
+    }
+    if (same.empty()) return false;
+    const Best best = best_of(fits, same);
+    const bool is_clear = !best.has_rival || best.next.misfit >= kClearlyBetter * best.first.misfit;
+    if (demand == Demand::pictures && !is_clear) return false;
+    diagnosis = {Diagnosis::Kind::exactly, fits.mistakes(best.first.variant), 0.0};
+    return true;
+}
+
+/// Is there a table for each of two mistakes that it alone makes wrong, and does the pair explain those? Then each is
+/// judged by tables of its own, as if it were alone.
+bool has_own_tables(Fits& fits, std::size_t variant) {
+    const std::vector<std::size_t>& pair = fits.mistakes(variant);
+    const auto is_wrong_alone = [&](std::size_t mistake, std::size_t i) {
+        for (std::size_t k = 0; k < fits.catalogue.variants.size(); ++k) {
+            if (fits.mistakes(k) == std::vector<std::size_t>{mistake} && fits.is_wrong(k, i)) return true;
+        }
+        return false;
+    };
+    bool own[2] = {false, false};
+    for (std::size_t i = 0; i < fits.wrong.size(); ++i) {
+        if (!fits.wrong[i] || fits.misfit(variant, i) > kMostMisfit) continue;
+        const bool wrong[2] = {is_wrong_alone(pair[0], i), is_wrong_alone(pair[1], i)};
+        if (wrong[0] != wrong[1]) own[wrong[0] ? 0 : 1] = true;
+    }
+    return own[0] && own[1];
 }
 
 /// The best fit, if it is good and nothing else fits about as well. Two mistakes need to fit better than one.
-void find_nearest(const CaseSet& cases, const Facts& facts, const Answers& answers, const Catalogue& catalogue,
-                  Diagnosis& diagnosis) {
-    struct Fit {
-        double misfit;
-        std::size_t variant;
-    };
-    std::vector<Fit> fits;
-    for (std::size_t k = 0; k < catalogue.variants.size(); ++k) {
-        const std::size_t count = catalogue.variants[k].mistakes.size();
-        if (count == 0) continue;
-        const double misfit = misfit_over(cases, facts, answers, catalogue.answers[k]);
-        fits.push_back({misfit + 0.01 * static_cast<double>(count), k});
+void find_nearest(Fits& fits, Diagnosis& diagnosis) {
+    std::vector<Candidate> all;
+    for (std::size_t k = 0; k < fits.catalogue.variants.size(); ++k) {
+        if (!fits.mistakes(k).empty()) all.push_back({misfit_over(fits, k), k});
     }
-    std::sort(fits.begin(), fits.end(), [](const Fit& a, const Fit& b) { return a.misfit < b.misfit; });
-    if (fits.empty()) return;
-    const std::vector<std::size_t>& best = catalogue.variants[fits[0].variant].mistakes;
-    // More mistakes than the best has fit better by chance: they are no rivals.
-    const auto is_no_rival = [&](const Fit& fit) {
-        const std::vector<std::size_t>& named = catalogue.variants[fit.variant].mistakes;
-        if (named.size() > best.size()) return true;
-        return std::find_first_of(best.begin(), best.end(), named.begin(), named.end()) != best.end();
-    };
-    const auto next = std::find_if_not(fits.begin(), fits.end(), is_no_rival);
-    diagnosis.misfit = fits[0].misfit;
-    diagnosis.next_misfit = next == fits.end() ? 1.0 : next->misfit;
-    if (diagnosis.misfit > (best.size() == 1 ? kMostMisfit : kMostMisfitOfPair)) return;
+    const Best best = best_of(fits, all);
+    diagnosis.misfit = best.first.misfit;
+    diagnosis.next_misfit = best.next.misfit;
+    const std::vector<std::size_t>& named = fits.mistakes(best.first.variant);
+    const bool is_lenient = named.size() == 1 || has_own_tables(fits, best.first.variant);
+    if (diagnosis.misfit > (is_lenient ? kMostMisfit : kMostMisfitOfPair)) return;
     if (diagnosis.next_misfit < kClearlyBetter * diagnosis.misfit) return;
     diagnosis.kind = Diagnosis::Kind::nearly;
-    diagnosis.mistakes = best;
+    diagnosis.mistakes = named;
 }
 
 }  // namespace
@@ -164,26 +177,19 @@ Catalogue make_catalogue(const Rubric& rubric, const CaseSet& cases, bool with_p
     return catalogue;
 }
 
-Diagnosis diagnose(const Rubric& rubric, const CaseSet& cases, const Answers& answers, const Catalogue& catalogue) {
-    Facts facts;
-    bool any_wrong = false;
-    for (std::size_t i = 0; i < cases.inputs.size(); ++i) {
-        const RubricStage& stage = *rubric.find_stage(cases.inputs[i].stage);
-        const bool answered = is_answered(answers.tables[i]);
-        facts.stage.push_back(&stage);
-        facts.wrong.push_back(answered &&
-                              !check_stage(stage, cases.inputs[i], cases.expected[i], answers.tables[i]).passed());
-        any_wrong = any_wrong || facts.wrong.back() || !answered;
-    }
+Diagnosis diagnose(const Marking& marking, const Catalogue& catalogue) {
     Diagnosis diagnosis;
-    if (!any_wrong) {
+    bool all_right = true;
+    for (std::size_t i = 0; i < marking.answers.size(); ++i) all_right = all_right && marking.is_right(i);
+    if (all_right) {
         diagnosis.kind = Diagnosis::Kind::right;
         return diagnosis;
     }
+    Fits fits(marking, catalogue);
     for (const Demand demand : {Demand::all, Demand::wrong, Demand::pictures}) {
-        if (find_same(cases, facts, answers, catalogue, demand, diagnosis)) return diagnosis;
+        if (find_same(fits, demand, diagnosis)) return diagnosis;
     }
-    find_nearest(cases, facts, answers, catalogue, diagnosis);
+    find_nearest(fits, diagnosis);
     return diagnosis;
 }
 

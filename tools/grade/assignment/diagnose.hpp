@@ -4,17 +4,9 @@
 #include <string>
 #include <vector>
 
-#include "tools/grade/assignment/mistakes.hpp"
-#include "tools/grade/assignment/score.hpp"
+#include "tools/grade/assignment/table_fits.hpp"
 
 namespace kreda::tools {
-
-/// The catalogue of an assignment with what every variant answers to these cases.
-struct Catalogue {
-    std::vector<Mistake> mistakes;
-    std::vector<Variant> variants;
-    std::vector<std::vector<StageTable>> answers;  ///< one a variant
-};
 
 [[nodiscard]] Catalogue make_catalogue(const Rubric& rubric, const CaseSet& cases, bool with_pairs = true);
 
@@ -28,8 +20,7 @@ struct Diagnosis {
 
 /// exactly: one variant gives the same answers. nearly: its answers are wrong in the same way, but for the size of the
 /// error (another constant), or only some functions answer (the rest was written elsewhere). Else unknown.
-[[nodiscard]] Diagnosis diagnose(const Rubric& rubric, const CaseSet& cases, const Answers& answers,
-                                 const Catalogue& catalogue);
+[[nodiscard]] Diagnosis diagnose(const Marking& marking, const Catalogue& catalogue);
 
 /// "looks exactly like: the normal is not renormalised after interpolation (page 24)", "unknown", or "".
 [[nodiscard]] std::string diagnosis_text(const Diagnosis& diagnosis, const Catalogue& catalogue);

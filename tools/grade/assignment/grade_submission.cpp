@@ -14,13 +14,14 @@ std::string command_of(const Rubric& rubric, const std::filesystem::path& folder
 }
 
 void grade_answers(const Rubric& rubric, const CaseSet& cases, const Answers& answers, GradeResult& result) {
-    result.tests = score(rubric, cases, answers, true);
+    const Marking marking = make_marking(rubric, cases, answers);
+    result.tests = score(marking, true);
     if (points_of(result.tests) == max_points_of(result.tests)) return;
     if (std::filesystem::exists(rubric.folder() / "teacher" / "mistakes.toml")) {  // students have no catalogue
         const Catalogue catalogue = make_catalogue(rubric, cases);
-        result.diagnosis = diagnosis_text(diagnose(rubric, cases, answers, catalogue), catalogue);
+        result.diagnosis = diagnosis_text(diagnose(marking, catalogue), catalogue);
     }
-    const std::string first = first_wrong_stage(rubric, cases, answers);
+    const std::string first = first_wrong_stage(marking);
     if (!first.empty()) result.diagnosis += (result.diagnosis.empty() ? "" : "\n") + first;
 }
 
@@ -36,7 +37,7 @@ void add_viva(const Rubric& rubric, const CaseSet& cases, const std::filesystem:
 void grade_nothing(const Rubric& rubric, const CaseSet& cases, GradeResult& result) {
     Answers answers{std::vector<StageTable>(cases.inputs.size()),
                     std::vector<std::string>(cases.inputs.size(), "there is no program to test")};
-    result.tests = score(rubric, cases, answers, false);
+    result.tests = score(make_marking(rubric, cases, answers), false);
 }
 
 }  // namespace
@@ -47,6 +48,7 @@ GradeResult grade_submission(const Rubric& rubric, const CaseSet& cases, const s
     GradeResult result;
     result.assignment = rubric.assignment + " " + rubric.title;
     result.submission = std::filesystem::absolute(folder / "").parent_path().filename().string();
+    result.deadline = rubric.deadline;
     const BoxFolder box;
     const Program program = compile_submission(rubric, folder, box, options, compile);
     result.tier = program.tier;

@@ -1,11 +1,6 @@
 #include "tools/grade/assignment/mistakes.hpp"
 
-#include <unistd.h>
-
-#include "tools/grade/assignment/build_program.hpp"
 #include "tools/grade/assignment/table_reader.hpp"
-#include "tools/grade/assignment/variant_source.hpp"
-#include "tools/write_file.hpp"
 
 namespace kreda::tools {
 
@@ -52,33 +47,13 @@ Mistake read_mistake(const scene::Value& table, const std::string& solution) {
     return mistake;
 }
 
-std::string source_of(const Rubric& rubric, const std::vector<Variant>& variants) {
-    const GivenFiles files = given_files(rubric);
-    std::vector<std::string> solutions;
-    for (const Variant& variant : variants) solutions.push_back(variant.text);
-    return variant_source(read_text(files.assignment.string()), read_text(files.stages.string()), solutions);
-}
-
-/// Make a folder under another name, then rename it: another grader may be at the same work.
-template <class Fill>
-void make_folder_once(const fs::path& folder, const Fill& fill) {
-    if (fs::exists(folder)) return;
-    const fs::path unfinished = folder.string() + "." + std::to_string(getpid());
-    fs::create_directories(unfinished);
-    fill(unfinished);
-    std::error_code error;
-    fs::rename(unfinished, folder, error);
-    if (error) fs::remove_all(unfinished);  // somebody else was first
-}
-
 }  // namespace
 
 std::string read_solution(const Rubric& rubric) {
     return read_text((rubric.folder() / "teacher" / "solution.cpp").string());
 }
 
-std::vector<Mistake> read_mistakes(const Rubric& rubric, const fs::path& file) {
-    const std::string solution = read_solution(rubric);
+std::vector<Mistake> read_mistakes(const fs::path& file, const std::string& solution) {
     const scene::Value root = scene::parse_toml(read_text(file.string()), file.string());
     TableReader reader(root, "the catalogue");
     std::vector<Mistake> mistakes;
@@ -88,7 +63,7 @@ std::vector<Mistake> read_mistakes(const Rubric& rubric, const fs::path& file) {
 }
 
 std::vector<Mistake> read_mistakes(const Rubric& rubric) {
-    return read_mistakes(rubric, rubric.folder() / "teacher" / "mistakes.toml");
+    return read_mistakes(rubric.folder() / "teacher" / "mistakes.toml", read_solution(rubric));
 }
 
 bool apply(const std::vector<TextChange>& changes, std::string& text) {
@@ -101,49 +76,22 @@ bool apply(const std::vector<TextChange>& changes, std::string& text) {
 }
 
 std::vector<Variant> make_variants(const std::string& solution, const std::vector<Mistake>& mistakes, bool with_pairs) {
-    std::vector<Variant> variants{{{}, solution}};
+    std::vector<Variant> variants{{{}, {}, solution}};
     for (std::size_t i = 0; i < mistakes.size(); ++i) {
-        for (const std::vector<TextChange>& way : mistakes[i].ways) {
-            Variant variant{{i}, solution};
-            if (apply(way, variant.text)) variants.push_back(variant);
+        for (std::size_t way = 0; way < mistakes[i].ways.size(); ++way) {
+            Variant variant{{i}, {way}, solution};
+            if (apply(mistakes[i].ways[way], variant.text)) variants.push_back(variant);
         }
     }
-    for (std::size_t i = 0; with_pairs && i < mistakes.size(); ++i) {
-        for (std::size_t j = i + 1; j < mistakes.size(); ++j) {
-            Variant variant{{i, j}, solution};
-            if (!apply(mistakes[i].ways[0], variant.text)) continue;
-            if (apply(mistakes[j].ways[0], variant.text)) variants.push_back(variant);
+    const std::size_t singles = variants.size();
+    for (std::size_t a = 1; with_pairs && a < singles; ++a) {
+        for (std::size_t b = a + 1; b < singles; ++b) {
+            const std::size_t i = variants[a].mistakes[0], j = variants[b].mistakes[0];
+            Variant pair{{i, j}, {variants[a].ways[0], variants[b].ways[0]}, variants[a].text};
+            if (i != j && apply(mistakes[j].ways[pair.ways[1]], pair.text)) variants.push_back(pair);
         }
     }
     return variants;
-}
-
-std::vector<std::vector<StageTable>> answers_of_variants(const Rubric& rubric, const CaseSet& cases,
-                                                         const std::vector<Variant>& variants) {
-    const GivenFiles files = given_files(rubric);
-    const std::string source = source_of(rubric, variants);
-    const std::string name = content_name(read_text(files.harness.string()) + source);
-    const fs::path built = grade_cache(rubric) / ("variants-" + name);
-    make_folder_once(built, [&](const fs::path& folder) {
-        write_file((folder / "variants.cpp").string(), source);
-        run_trusted({"/usr/bin/g++", "-std=c++20", "-DGLM_FORCE_XYZW_ONLY", "-O1", "-w", "-ffp-contract=off", "-I",
-                     files.harness.parent_path().string(), (folder / "variants.cpp").string(), "-o",
-                     (folder / "program").string()});
-    });
-    const std::string inputs = encode_tables(cases.inputs);
-    const fs::path answered = built / ("answers-" + content_name(inputs));
-    make_folder_once(answered, [&](const fs::path& folder) {
-        write_file((folder / "inputs.bin").string(), inputs);
-        run_trusted({(built / "program").string(), (folder / "inputs.bin").string(), folder.string()});
-        fs::remove(folder / "inputs.bin");
-    });
-    std::vector<std::vector<StageTable>> answers;
-    for (std::size_t k = 0; k < variants.size(); ++k) {
-        DecodedTables decoded = decode_tables(read_text((answered / std::to_string(k)).string()), cases.expected);
-        if (!decoded.complaint.empty()) throw scene::UserError("a variant of the solution gave " + decoded.complaint);
-        answers.push_back(std::move(decoded.tables));
-    }
-    return answers;
 }
 
 }  // namespace kreda::tools

@@ -32,31 +32,8 @@ void fail(TestResult& result, const std::string& message) {
     result.passed = false;
 }
 
-/// A set of answers while it is marked; every table is checked once.
-struct Marking {
-    const Rubric& rubric;
-    const CaseSet& cases;
-    const Answers& answers;
-    std::vector<StageCheck> checks;  ///< one a table; of those that were not answered nothing
-
-    [[nodiscard]] const RubricStage& stage(std::size_t i) const {
-        return *rubric.find_stage(cases.inputs[i].stage);
-    }
-    [[nodiscard]] bool is_right(std::size_t i) const {
-        return is_answered(answers.tables[i]) && checks[i].passed();
-    }
-    [[nodiscard]] std::string wrong_row(std::size_t i) const {
-        return describe_wrong_row(stage(i), cases.inputs[i], cases.expected[i], answers.tables[i], checks[i]);
-    }
-};
-
-Marking make_marking(const Rubric& rubric, const CaseSet& cases, const Answers& answers) {
-    Marking m{rubric, cases, answers, std::vector<StageCheck>(cases.inputs.size())};
-    for (std::size_t i = 0; i < cases.inputs.size(); ++i) {
-        if (!is_answered(answers.tables[i])) continue;
-        m.checks[i] = check_stage(m.stage(i), cases.inputs[i], cases.expected[i], answers.tables[i]);
-    }
-    return m;
+std::string wrong_row(const Marking& m, std::size_t i) {
+    return describe_wrong_row(m.stage(i), m.cases.inputs[i], m.cases.expected[i], *m.answers[i], m.checks[i]);
 }
 
 void test_rows(const Marking& m, std::size_t i, TestResult& result) {
@@ -69,7 +46,7 @@ void test_rows(const Marking& m, std::size_t i, TestResult& result) {
     const std::string count = std::to_string(check.wrong) + " of " + std::to_string(check.rows) + " rows wrong";
     const std::string broken =
         check.not_finite > 0 ? "; " + std::to_string(check.not_finite) + " with NaN or infinity" : "";
-    fail(result, count + broken + "\n" + m.wrong_row(i));
+    fail(result, count + broken + "\n" + wrong_row(m, i));
 }
 
 void test_picture(const Marking& m, std::size_t i, bool with_pictures, TestResult& result) {
@@ -77,7 +54,7 @@ void test_picture(const Marking& m, std::size_t i, bool with_pictures, TestResul
     const SceneCase& scene = m.cases.scene(input.scene);
     const StageCheck& check = m.checks[i];
     const raster::Image expected = compose(scene, m.stage(i), input, m.cases.expected[i]);
-    const raster::Image student = compose(scene, m.stage(i), input, m.answers.tables[i]);
+    const raster::Image student = compose(scene, m.stage(i), input, *m.answers[i]);
     const raster::Image mask = doubtful_pixels(scene, input);
     const Comparison comparison = compare(student, expected, {256}, m.rubric.picture, &mask);
     result.measurements.push_back({"pixels with NaN or infinity, " + scene.name, static_cast<double>(check.not_finite),
@@ -87,7 +64,7 @@ void test_picture(const Marking& m, std::size_t i, bool with_pictures, TestResul
         result.measurements.push_back(measurement);
     }
     if (check.not_finite > 0) fail(result, std::to_string(check.not_finite) + " pixels with NaN or infinity");
-    if (!comparison.passed) fail(result, describe(comparison) + (check.wrong > 0 ? "\n" + m.wrong_row(i) : ""));
+    if (!comparison.passed) fail(result, describe(comparison) + (check.wrong > 0 ? "\n" + wrong_row(m, i) : ""));
     if (!with_pictures) return;
     result.images.push_back({"student", png_of(student)});
     result.images.push_back({"expected", png_of(expected)});
@@ -102,7 +79,7 @@ void test_work(const Marking& m, const RubricTest& test, std::size_t i, TestResu
         return total;
     };
     const double most = sum(m.cases.expected[i]) * test.most_work;
-    const double work = sum(m.answers.tables[i]);
+    const double work = sum(*m.answers[i]);
     const std::string name = m.cases.inputs[i].scene;
     result.measurements.push_back({test.work + ", " + name, work, most, "at most", work <= most});
     if (work > most) {
@@ -127,7 +104,7 @@ void test_called(const Marking& m, std::size_t i, TestResult& result) {
 }
 
 void test_table(const Marking& m, const RubricTest& test, std::size_t i, bool with_pictures, TestResult& result) {
-    if (!is_answered(m.answers.tables[i])) return fail(result, m.answers.why[i]);
+    if (m.answers[i] == nullptr) return fail(result, m.why[i]);
     if (m.stage(i).picture) {
         test_picture(m, i, with_pictures && test.work.empty(), result);
     } else {
@@ -135,6 +112,23 @@ void test_table(const Marking& m, const RubricTest& test, std::size_t i, bool wi
     }
     if (result.passed) test_called(m, i, result);
     if (!test.work.empty()) test_work(m, test, i, result);
+}
+
+/// Would run_test() pass it? What is cheap is asked first: a picture is drawn only where all it calls is right.
+bool passes(const Marking& m, const RubricTest& test) {
+    const std::vector<std::size_t> tables = tables_of(test, m.cases);
+    TestResult result;
+    result.passed = !tables.empty();
+    for (const std::size_t i : tables) {
+        if (m.answers[i] == nullptr || !(m.stage(i).picture || m.checks[i].passed())) return false;
+        test_called(m, i, result);
+    }
+    for (const std::size_t i : tables) {
+        if (!result.passed) return false;
+        if (m.stage(i).picture) test_picture(m, i, false, result);
+        if (!test.work.empty()) test_work(m, test, i, result);
+    }
+    return result.passed;
 }
 
 TestResult run_test(const Marking& m, const RubricTest& test, bool with_pictures) {
@@ -146,17 +140,42 @@ TestResult run_test(const Marking& m, const RubricTest& test, bool with_pictures
     return result;
 }
 
+bool any_hidden(const CaseSet& cases) {
+    return std::any_of(cases.scenes.begin(), cases.scenes.end(), [](const SceneCase& s) { return s.hidden; });
+}
+
 }  // namespace
 
-std::vector<TestResult> score(const Rubric& rubric, const CaseSet& cases, const Answers& answers, bool with_pictures) {
-    const bool has_hidden =
-        std::any_of(cases.scenes.begin(), cases.scenes.end(), [](const SceneCase& s) { return s.hidden; });
-    const Marking marking = make_marking(rubric, cases, answers);
+const RubricStage& Marking::stage(std::size_t i) const {
+    return *rubric.find_stage(cases.inputs[i].stage);
+}
+
+Marking make_marking(const Rubric& rubric, const CaseSet& cases, const Answers& answers) {
+    Marking m{rubric, cases, {}, answers.why, std::vector<StageCheck>(cases.inputs.size())};
+    for (std::size_t i = 0; i < cases.inputs.size(); ++i) {
+        m.answers.push_back(is_answered(answers.tables[i]) ? &answers.tables[i] : nullptr);
+        if (m.answers[i] == nullptr) continue;
+        m.checks[i] = check_stage(m.stage(i), cases.inputs[i], cases.expected[i], answers.tables[i]);
+    }
+    return m;
+}
+
+std::vector<TestResult> score(const Marking& marking, bool with_pictures) {
+    const bool has_hidden = any_hidden(marking.cases);
     std::vector<TestResult> results;
-    for (const RubricTest& test : rubric.tests) {
+    for (const RubricTest& test : marking.rubric.tests) {
         if (!test.hidden || has_hidden) results.push_back(run_test(marking, test, with_pictures));
     }
     return results;
+}
+
+double points_of(const Marking& marking) {
+    const bool has_hidden = any_hidden(marking.cases);
+    double sum = 0.0;
+    for (const RubricTest& test : marking.rubric.tests) {
+        if ((!test.hidden || has_hidden) && passes(marking, test)) sum += test.points;
+    }
+    return sum;
 }
 
 double points_of(const std::vector<TestResult>& tests) {
@@ -181,9 +200,9 @@ std::string first_wrong_of(const Marking& m, bool hidden) {
             const StageTable& input = m.cases.inputs[i];
             if (input.stage != stage.name || m.cases.scene(input.scene).hidden != hidden || m.is_right(i)) continue;
             const std::string before = right.empty() ? "" : right + "; ";
-            if (!is_answered(m.answers.tables[i])) return before + stage.name + ": " + m.answers.why[i];
+            if (m.answers[i] == nullptr) return before + stage.name + ": " + m.why[i];
             if (hidden) return before + stage.name + " wrong on a hidden scene";
-            return before + m.wrong_row(i);
+            return before + wrong_row(m, i);
         }
         right += (right.empty() ? "" : ", ") + stage.name + " right";
     }
@@ -192,8 +211,7 @@ std::string first_wrong_of(const Marking& m, bool hidden) {
 
 }  // namespace
 
-std::string first_wrong_stage(const Rubric& rubric, const CaseSet& cases, const Answers& answers) {
-    const Marking marking = make_marking(rubric, cases, answers);
+std::string first_wrong_stage(const Marking& marking) {
     const std::string on_public = first_wrong_of(marking, false);
     return on_public.empty() ? first_wrong_of(marking, true) : on_public;
 }

@@ -21,17 +21,34 @@ struct Answers {
     return !table.columns.empty();
 }
 
+/// A set of answers that was held against Kreda's, each table once. It refers to what it was made of.
+struct Marking {
+    const Rubric& rubric;
+    const CaseSet& cases;
+    std::vector<const StageTable*> answers;  ///< one a table of inputs; null: not answered
+    std::vector<std::string> why;            ///< why not
+    std::vector<StageCheck> checks;          ///< one a table; of those that were not answered nothing
+
+    [[nodiscard]] const RubricStage& stage(std::size_t i) const;
+    [[nodiscard]] bool is_right(std::size_t i) const {
+        return answers[i] != nullptr && checks[i].passed();
+    }
+};
+[[nodiscard]] Marking make_marking(const Rubric& rubric, const CaseSet& cases, const Answers& answers);
+
 /// Every test that the cases allow: hidden ones only where there are hidden scenes. with_pictures: student, expected
 /// and difference as PNG.
-[[nodiscard]] std::vector<TestResult> score(const Rubric& rubric, const CaseSet& cases, const Answers& answers,
-                                            bool with_pictures);
+[[nodiscard]] std::vector<TestResult> score(const Marking& marking, bool with_pictures);
 
 /// Whole points of the tests.
 [[nodiscard]] double points_of(const std::vector<TestResult>& tests);
 [[nodiscard]] double max_points_of(const std::vector<TestResult>& tests);
 
+/// The points that score() gives, without the words.
+[[nodiscard]] double points_of(const Marking& marking);
+
 /// "attenuate right, spot_cone right; mirror_vector(...) ...": the stages in order up to the first that is wrong; empty
 /// where all are right.
-[[nodiscard]] std::string first_wrong_stage(const Rubric& rubric, const CaseSet& cases, const Answers& answers);
+[[nodiscard]] std::string first_wrong_stage(const Marking& marking);
 
 }  // namespace kreda::tools

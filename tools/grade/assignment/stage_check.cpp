@@ -85,10 +85,11 @@ StageCheck check_stage(const RubricStage& stage, const StageTable& input, const 
 
 bool same_answers(const RubricStage& stage, const StageTable& input, const StageTable& a, const StageTable& b,
                   double share) {
+    const auto doubtful = [&](std::size_t row) { return !input.doubtful.empty() && input.doubtful[row]; };
     std::size_t rows = 0, different = 0;
-    for (std::size_t row = 0; row < input.rows; ++row) {
-        if (!input.doubtful.empty() && input.doubtful[row]) continue;
-        ++rows;
+    for (std::size_t row = 0; row < input.rows; ++row) rows += doubtful(row) ? 0 : 1;
+    const double most = share * static_cast<double>(rows);
+    for (std::size_t row = 0; row < input.rows && static_cast<double>(different) <= most; ++row) {
         bool same = true;
         for (std::size_t c = 0; c < a.columns.size() && same; ++c) {
             const std::size_t n = a.columns[c].components;
@@ -97,9 +98,9 @@ bool same_answers(const RubricStage& stage, const StageTable& input, const Stage
             const bool both_broken = !all_finite(x, n) && !all_finite(y, n);
             same = both_broken || error_of(stage, x, y, n) <= 4.0;
         }
-        different += same ? 0 : 1;
+        different += same || doubtful(row) ? 0 : 1;
     }
-    return static_cast<double>(different) <= share * static_cast<double>(rows);
+    return static_cast<double>(different) <= most;
 }
 
 std::string describe_wrong_row(const RubricStage& stage, const StageTable& input, const StageTable& expected,

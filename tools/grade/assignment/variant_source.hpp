@@ -1,4 +1,4 @@
-// All variants of a solution as one C++ file: compiled once, run once, in a second or two for hundreds of them.
+// All variants of a solution as one C++ program that holds each different function once.
 #pragma once
 
 #include <string>
@@ -17,8 +17,20 @@ struct Prototype {
 /// Those of a header: its lines that begin in the first column and end with ");".
 [[nodiscard]] std::vector<Prototype> prototypes_of(const std::string& header);
 
-/// The file. Every solution stands in a namespace of its own; the stages call functions that hand each call on to the
-/// variant whose turn it is. The program takes INPUTS and a FOLDER and writes FOLDER/0, FOLDER/1, ...
+/// A solution taken apart: the text of each prototype's function, and what stands around them.
+struct SolutionParts {
+    std::string helpers;
+    std::vector<std::string> functions;  ///< one a prototype; all empty: `helpers` is the whole solution
+};
+
+/// Functions begin in the first column and end with "}" there. Where one of them cannot be found, nothing is split.
+[[nodiscard]] SolutionParts split_solution(const std::string& solution, const std::vector<Prototype>& prototypes);
+
+/// The program's one file. Variants share the functions whose text they share; the stages, and the functions among
+/// themselves, call through functions that hand each call to the variant whose turn it is. The program takes INPUTS and
+/// a FOLDER. FOLDER/answers.bin: for each table of inputs the different answers to it, as tables. FOLDER/index.txt: for
+/// each table of inputs how many they are, and the number of every variant's. A variant is run on a table only if no
+/// other had the same functions where the table's rows called any.
 [[nodiscard]] std::string variant_source(const std::string& assignment_header, const std::string& stages,
                                          const std::vector<std::string>& solutions);
 

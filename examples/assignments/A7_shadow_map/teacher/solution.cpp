@@ -8,12 +8,12 @@ glm::vec3 light_space(const LightCamera& camera, const glm::vec3& p) {
 
 Place map_place(const LightCamera& camera, const glm::vec3& q, int size) {
     const float half = 0.5f * float(size);
-    return {half + q.x / camera.texel, half - q.y / camera.texel, -q.z};
+    return {half + q.x / camera.texel.x, half - q.y / camera.texel.y, -q.z};
 }
 
-float least_bias(const glm::vec3& n_view, float texel) {
-    const float z_u = texel * n_view.x / n_view.z;
-    const float z_v = texel * n_view.y / n_view.z;
+float least_bias(const glm::vec3& n_view, const glm::vec2& texel) {
+    const float z_u = texel.x * n_view.x / n_view.z;
+    const float z_v = texel.y * n_view.y / n_view.z;
     return 0.5f * (std::abs(z_u) + std::abs(z_v));
 }
 

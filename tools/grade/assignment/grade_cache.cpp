@@ -1,0 +1,140 @@
+#include "tools/grade/assignment/grade_cache.hpp"
+
+#include <algorithm>
+#include <chrono>
+#include <cstdlib>
+#include <vector>
+
+#include <fcntl.h>
+#include <sys/file.h>
+#include <unistd.h>
+
+#include "scene/error.hpp"
+
+namespace kreda::tools {
+
+namespace {
+
+namespace fs = std::filesystem;
+
+/// An environment variable's value; empty where it is not set.
+std::string environment_text(const char* name) {
+    const char* const value = std::getenv(name);
+    return value != nullptr ? value : "";
+}
+
+bool make_writable(const fs::path& folder) {
+    std::error_code error;
+    fs::create_directories(folder, error);
+    return access(folder.c_str(), W_OK) == 0;
+}
+
+/// Held while it lives; a second process waits. Where no lock can be had, nobody waits and the work is done twice.
+struct FileLock {
+    int file;
+
+    explicit FileLock(const fs::path& path) : file(open(path.c_str(), O_CREAT | O_RDWR | O_CLOEXEC, 0600)) {
+        if (file >= 0) flock(file, LOCK_EX);
+    }
+    ~FileLock() {
+        if (file >= 0) close(file);
+    }
+    FileLock(const FileLock&) = delete;
+    FileLock& operator=(const FileLock&) = delete;
+};
+
+struct CacheEntry {
+    fs::path path;
+    fs::file_time_type used;
+    std::uintmax_t bytes = 0;
+};
+
+std::uintmax_t bytes_in(const fs::path& path) {
+    std::error_code error;
+    if (!fs::is_directory(path, error)) return fs::is_regular_file(path, error) ? fs::file_size(path, error) : 0;
+    std::uintmax_t sum = 0;
+    for (fs::recursive_directory_iterator i(path, error), end; !error && i != end; i.increment(error)) {
+        std::error_code gone;
+        if (i->is_regular_file(gone)) sum += i->file_size(gone);
+    }
+    return sum;
+}
+
+/// Make the folder under another name, then rename it: nobody sees it half made.
+void fill_folder(const fs::path& folder, const std::function<void(const fs::path&)>& fill) {
+    const fs::path unfinished = folder.string() + "." + std::to_string(getpid());
+    std::error_code error;
+    fs::remove_all(unfinished, error);
+    fs::create_directories(unfinished);
+    try {
+        fill(unfinished);
+    } catch (...) {
+        fs::remove_all(unfinished, error);
+        throw;
+    }
+    fs::rename(unfinished, folder, error);
+    if (error) fs::remove_all(unfinished, error);  // somebody who had no lock was first
+}
+
+}  // namespace
+
+fs::path grade_cache() {
+    if (const std::string chosen = environment_text("KREDA_GRADE_CACHE"); !chosen.empty()) {
+        fs::create_directories(chosen);
+        return chosen;
+    }
+    const std::string shared = environment_text("XDG_CACHE_HOME"), home = environment_text("HOME");
+    if (!shared.empty() && make_writable(fs::path(shared) / "kreda" / "grade")) {
+        return fs::path(shared) / "kreda" / "grade";
+    }
+    if (!home.empty() && make_writable(fs::path(home) / ".cache" / "kreda" / "grade")) {
+        return fs::path(home) / ".cache" / "kreda" / "grade";
+    }
+    const fs::path elsewhere = fs::temp_directory_path() / ("kreda-grade-" + std::to_string(getuid()));
+    fs::create_directories(elsewhere);
+    fs::permissions(elsewhere, fs::perms::owner_all);
+    return elsewhere;
+}
+
+std::uintmax_t grade_cache_limit() {
+    const std::string text = environment_text("KREDA_GRADE_CACHE_MB");
+    if (text.empty()) return std::uintmax_t{1024} << 20;
+    const bool is_number =
+        text.size() < 8 && std::all_of(text.begin(), text.end(), [](char c) { return c >= '0' && c <= '9'; });
+    if (!is_number) throw scene::UserError("KREDA_GRADE_CACHE_MB=" + text + ": expected a whole number of megabytes");
+    return std::uintmax_t{std::stoul(text)} << 20;
+}
+
+fs::path cached_folder(const std::string& name, const std::function<void(const fs::path&)>& fill) {
+    const fs::path cache = grade_cache(), folder = cache / name;
+    const FileLock lock(cache / (name + ".lock"));
+    std::error_code error;
+    if (!fs::exists(folder)) {
+        fill_folder(folder, fill);
+        trim_cache(cache, grade_cache_limit());
+    }
+    fs::last_write_time(folder, fs::file_time_type::clock::now(), error);
+    return folder;
+}
+
+void trim_cache(const fs::path& cache, std::uintmax_t limit) {
+    std::vector<CacheEntry> entries;
+    std::uintmax_t sum = 0;
+    std::error_code error;
+    for (fs::directory_iterator i(cache, error), end; !error && i != end; i.increment(error)) {
+        std::error_code gone;  // another process may remove it meanwhile
+        const CacheEntry entry{i->path(), fs::last_write_time(i->path(), gone), bytes_in(i->path())};
+        if (gone) continue;
+        sum += entry.bytes;
+        entries.push_back(entry);
+    }
+    std::sort(entries.begin(), entries.end(), [](const CacheEntry& a, const CacheEntry& b) { return a.used < b.used; });
+    const fs::file_time_type just_now = fs::file_time_type::clock::now() - std::chrono::hours(1);
+    for (const CacheEntry& entry : entries) {
+        if (sum <= limit || entry.used > just_now) return;
+        fs::remove_all(entry.path, error);
+        sum -= entry.bytes;
+    }
+}
+
+}  // namespace kreda::tools

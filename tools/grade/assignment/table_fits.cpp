@@ -1,0 +1,90 @@
+#include "tools/grade/assignment/table_fits.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "tools/grade/assignment/stage_check.hpp"
+
+namespace kreda::tools {
+
+namespace {
+
+/// Share of the rows that may differ between two answers that count as the same.
+constexpr double kSameShare = 0.002;
+
+/// The error of one number, made small and finite: what is far off is just far off.
+double error_of(double value, double expected, double scale) {
+    const double error = (value - expected) / (scale + 1e-3);
+    if (!std::isfinite(error)) return 4.0;
+    return std::clamp(error, -4.0, 4.0);
+}
+
+Sums sums_of(const StageTable& input, const StageTable& expected, const StageTable& s, const StageTable& v) {
+    Sums sums;
+    for (std::size_t c = 0; c < expected.columns.size(); ++c) {
+        const StageColumn& e = expected.columns[c];
+        for (std::size_t i = 0; i < e.values.size(); ++i) {
+            const std::size_t row = i / e.components;
+            if (!input.doubtful.empty() && input.doubtful[row]) continue;
+            double scale = 0.0;
+            for (std::size_t k = 0; k < e.components; ++k) {
+                scale = std::max(scale, std::abs(e.values[row * e.components + k]));
+            }
+            const double a = error_of(s.columns[c].values[i], e.values[i], scale);
+            const double b = error_of(v.columns[c].values[i], e.values[i], scale);
+            sums.ss += a * a;
+            sums.sv += a * b;
+            sums.vv += b * b;
+        }
+    }
+    return sums;
+}
+
+/// One and the same wrong answer in every row is no evidence: many mistakes leave a black picture.
+bool says_something(const StageTable& answers, const StageTable& expected) {
+    for (std::size_t k = 0; k < answers.columns.size(); ++k) {
+        const StageColumn& c = answers.columns[k];
+        if (c.values == expected.columns[k].values) continue;
+        for (std::size_t i = c.components; i < c.values.size(); ++i) {
+            if (c.values[i] != c.values[i % c.components] && std::isfinite(c.values[i])) return true;
+        }
+    }
+    return false;
+}
+
+}  // namespace
+
+double misfit_of(const Sums& sums) {
+    if (sums.ss <= 0.0 || sums.vv <= 0.0) return 1.0;
+    const double a = std::clamp(sums.sv / sums.vv, 0.3, 3.0);
+    return std::clamp((sums.ss - 2.0 * a * sums.sv + a * a * sums.vv) / sums.ss, 0.0, 1.0);
+}
+
+Fits::Fits(const Marking& m, const Catalogue& all) : marking(m), catalogue(all) {
+    for (std::size_t i = 0; i < m.answers.size(); ++i) {
+        wrong.push_back(is_answered(i) && !m.checks[i].passed());
+        speaks.push_back(wrong[i] && says_something(*m.answers[i], m.cases.expected[i]));
+        same_as.emplace_back(all.answers.tables[i].size());
+        sums_to.emplace_back(all.answers.tables[i].size());
+    }
+}
+
+bool Fits::same(std::size_t variant, std::size_t i) {
+    std::optional<bool>& known = same_as[i][catalogue.answers.number[variant][i]];
+    if (!known) {
+        known = same_answers(marking.stage(i), marking.cases.inputs[i], *marking.answers[i],
+                             catalogue.answers.of(variant, i), kSameShare);
+    }
+    return *known;
+}
+
+const Sums& Fits::sums(std::size_t variant, std::size_t i) {
+    std::optional<Sums>& known = sums_to[i][catalogue.answers.number[variant][i]];
+    if (!known) {
+        known = sums_of(marking.cases.inputs[i], marking.cases.expected[i], *marking.answers[i],
+                        catalogue.answers.of(variant, i));
+    }
+    return *known;
+}
+
+}  // namespace kreda::tools

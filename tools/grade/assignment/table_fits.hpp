@@ -1,0 +1,56 @@
+// A submission's answers beside those of the catalogue, table by table.
+#pragma once
+
+#include <optional>
+#include <vector>
+
+#include "tools/grade/assignment/mistakes.hpp"
+#include "tools/grade/assignment/score.hpp"
+#include "tools/grade/assignment/variant_answers.hpp"
+
+namespace kreda::tools {
+
+/// The catalogue of an assignment with what every variant answers to these cases.
+struct Catalogue {
+    std::vector<Mistake> mistakes;
+    std::vector<Variant> variants;
+    VariantAnswers answers;
+};
+
+/// How the errors of a submission (s) and of a variant (v) lie to each other, over one table.
+struct Sums {
+    double ss = 0.0, sv = 0.0, vv = 0.0;
+};
+
+/// |s - a v|^2 / |s|^2 with the best a > 0; the error may be larger or smaller than the variant's, within limits.
+[[nodiscard]] double misfit_of(const Sums& sums);
+
+/// A submission beside the catalogue, table by table. Variants share their answers: each is looked at once, when it is
+/// asked for.
+struct Fits {
+    const Marking& marking;
+    const Catalogue& catalogue;
+    std::vector<bool> wrong, speaks;  ///< [input]: the submission is wrong; in a way that says something
+    std::vector<std::vector<std::optional<bool>>> same_as;  ///< [input][number], as in VariantAnswers
+    std::vector<std::vector<std::optional<Sums>>> sums_to;
+
+    Fits(const Marking& m, const Catalogue& all);
+    [[nodiscard]] const std::vector<std::size_t>& mistakes(std::size_t variant) const {
+        return catalogue.variants[variant].mistakes;
+    }
+    [[nodiscard]] bool is_answered(std::size_t i) const {
+        return marking.answers[i] != nullptr;
+    }
+    /// Does the variant answer every row of this table as the submission does?
+    [[nodiscard]] bool same(std::size_t variant, std::size_t i);
+    [[nodiscard]] const Sums& sums(std::size_t variant, std::size_t i);
+    /// Share of the submission's error that the variant leaves unexplained; 0 where they are the same.
+    [[nodiscard]] double misfit(std::size_t variant, std::size_t i) {
+        return same(variant, i) ? 0.0 : misfit_of(sums(variant, i));
+    }
+    [[nodiscard]] bool is_wrong(std::size_t variant, std::size_t i) {
+        return sums(variant, i).vv > 1e-6;
+    }
+};
+
+}  // namespace kreda::tools

@@ -1,0 +1,74 @@
+#include "tools/grade/assignment/variant_answers.hpp"
+
+#include <sstream>
+
+#include "tools/grade/assignment/build_program.hpp"
+#include "tools/grade/assignment/grade_cache.hpp"
+#include "tools/grade/assignment/table_reader.hpp"
+#include "tools/grade/assignment/variant_source.hpp"
+#include "tools/write_file.hpp"
+
+namespace kreda::tools {
+
+namespace {
+
+namespace fs = std::filesystem;
+
+std::string source_of(const Rubric& rubric, const std::vector<Variant>& variants) {
+    const GivenFiles files = given_files(rubric);
+    std::vector<std::string> solutions;
+    for (const Variant& variant : variants) solutions.push_back(variant.text);
+    return variant_source(read_text(files.assignment.string()), read_text(files.stages.string()), solutions);
+}
+
+/// index.txt and answers.bin, as variant_source.hpp says.
+VariantAnswers read_answers(const fs::path& folder, const CaseSet& cases, std::size_t variants) {
+    VariantAnswers answers{{}, std::vector<std::vector<std::size_t>>(variants)};
+    std::istringstream index(read_text((folder / "index.txt").string()));
+    std::vector<StageTable> shapes;
+    std::vector<std::size_t> counts;
+    for (std::size_t i = 0; i < cases.inputs.size(); ++i) {
+        std::size_t number = 0;
+        index >> counts.emplace_back();
+        shapes.insert(shapes.end(), counts[i], cases.expected[i]);
+        for (std::size_t k = 0; k < variants && index >> number; ++k) answers.number[k].push_back(number);
+    }
+    DecodedTables decoded = decode_tables(read_text((folder / "answers.bin").string()), shapes);
+    if (!decoded.complaint.empty()) throw scene::UserError("a variant of the solution gave " + decoded.complaint);
+    auto next = std::make_move_iterator(decoded.tables.begin());
+    for (const std::size_t count : counts) {
+        answers.tables.emplace_back(next, next + static_cast<std::ptrdiff_t>(count));
+        next += static_cast<std::ptrdiff_t>(count);
+    }
+    return answers;
+}
+
+}  // namespace
+
+std::vector<StageTable> VariantAnswers::all_of(std::size_t variant) const {
+    std::vector<StageTable> all;
+    for (std::size_t i = 0; i < tables.size(); ++i) all.push_back(of(variant, i));
+    return all;
+}
+
+VariantAnswers answers_of_variants(const Rubric& rubric, const CaseSet& cases, const std::vector<Variant>& variants) {
+    const fs::path harness = given_files(rubric).harness;
+    const std::string source = source_of(rubric, variants);
+    const std::string name = content_name(read_text(harness.string()) + source);
+    const fs::path built = cached_folder("variants-" + name, [&](const fs::path& folder) {
+        write_file((folder / "variants.cpp").string(), source);
+        run_trusted({"/usr/bin/g++", "-std=c++20", "-DGLM_FORCE_XYZW_ONLY", "-O2", "-w", "-ffp-contract=off", "-I",
+                     harness.parent_path().string(), (folder / "variants.cpp").string(), "-o",
+                     (folder / "program").string()});
+    });
+    const std::string inputs = encode_tables(cases.inputs);
+    const fs::path answered =
+        cached_folder("answers-" + name + "-" + content_name(inputs), [&](const fs::path& folder) {
+            write_file((folder / "inputs.bin").string(), inputs);
+            run_trusted({(built / "program").string(), (folder / "inputs.bin").string(), folder.string()});
+            fs::remove(folder / "inputs.bin");
+        });
+    return read_answers(answered, cases, variants.size());
+}
+
+}  // namespace kreda::tools
