@@ -178,8 +178,8 @@ void explore(const FrontSubject& subject, std::vector<Candidate>& candidates, in
         }
         if (!best) return;
         const std::size_t before = subject.measured.errors.drawn.size();
-        const bool drawn = draw_probe(subject.source, subject.terms, best->choice.chosen, subject.options, subject.drawn,
-                                      subject.measured);
+        const bool drawn = draw_probe(subject.source, subject.terms, best->choice.chosen, subject.options,
+                                      subject.drawn, subject.measured);
         if (!drawn) best->choice.cost = 1e300;
         predict(subject, candidates, before);
     }

@@ -29,8 +29,8 @@ struct Candidate {
     bool is_planned = false;  ///< the cost is that of its own plan, not a sum
 };
 
-/// For every way to combine the structural terms the knapsack of all others, by the plans of that way. `allowed` says of
-/// each term and option whether it may be chosen. The oracles are always among them.
+/// For every way to combine the structural terms the knapsack of all others, by the plans of that way. `allowed` says
+/// of each term and option whether it may be chosen. The oracles are always among them.
 [[nodiscard]] std::vector<Candidate> find_candidates(const FrontSubject& subject,
                                                      const std::vector<std::vector<bool>>& allowed);
 

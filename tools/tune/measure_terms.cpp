@@ -17,8 +17,9 @@ constexpr double kNoise = 0.04;  // of a frame: what differs by less takes the s
 struct Probe {
     scene::Scene scene;
     raster::Image picture;
-    std::vector<double> frames;
-    double frame = 0.0, bake = 0.0;
+    std::vector<FrameParts> frames;
+    FrameParts frame;
+    double bake = 0.0;
 };
 
 /// Everything that measuring needs.
@@ -35,17 +36,31 @@ struct Bench {
     }
 };
 
+void add_frame(Bench& bench, Probe& probe, const Picture& drawn) {
+    const scene::RenderPlan plan = make_plan(probe.scene);
+    probe.frames.push_back(parts_of(plan, drawn.times));
+    add_rates(plan, drawn.times, bench.times);
+}
+
+double median_of(const std::vector<FrameParts>& frames, double FrameParts::*part) {
+    std::vector<double> values;
+    for (const FrameParts& frame : frames) values.push_back(frame.*part);
+    const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
+    std::nth_element(values.begin(), middle, values.end());
+    return *middle;
+}
+
 /// Its picture, what was baked for it, and its time.
 Probe draw_first(Bench& bench, const std::vector<int>& chosen) {
     std::vector<Setting> settings = settings_of(bench.terms, chosen);
     settings.push_back(bench.measured.size);
-    Probe probe{read_with(bench.source, settings), {}, {}};
+    Probe probe;
+    probe.scene = read_with(bench.source, settings);
     const Picture drawn = draw_with_baked(bench.drawn, probe.scene, bench.options.threads);
     probe.picture = drawn.encoded;
     probe.bake = drawn.bake_ms;
-    probe.frames = {drawn.frame_ms};
     ++bench.measured.renders;
-    if (bench.takes_time()) add_rates(make_plan(probe.scene), drawn.times, bench.times);
+    if (bench.takes_time()) add_frame(bench, probe, drawn);
     return probe;
 }
 
@@ -54,16 +69,12 @@ void time_frames(Bench& bench, std::vector<Probe*> probes) {
     if (!bench.takes_time()) return;
     for (int round = 1; round < bench.options.rounds; ++round) {
         for (Probe* probe : probes) {
-            if (probe->frames.front() > kLong) continue;
-            const Picture again = draw_with_baked(bench.drawn, probe->scene, bench.options.threads);
-            probe->frames.push_back(again.frame_ms);
-            add_rates(make_plan(probe->scene), again.times, bench.times);
+            if (probe->frames.front().sum() > kLong) continue;
+            add_frame(bench, *probe, draw_with_baked(bench.drawn, probe->scene, bench.options.threads));
         }
     }
     for (Probe* probe : probes) {
-        const auto middle = probe->frames.begin() + static_cast<std::ptrdiff_t>(probe->frames.size() / 2);
-        std::nth_element(probe->frames.begin(), middle, probe->frames.end());
-        probe->frame = *middle;
+        probe->frame = {median_of(probe->frames, &FrameParts::at_points), median_of(probe->frames, &FrameParts::rest)};
     }
 }
 
@@ -76,7 +87,8 @@ void measure_term(Bench& bench, const Probe& base, std::size_t t) {
         chosen[t] = static_cast<int>(o);
         probes.push_back(static_cast<int>(o) == term.base ? base : draw_first(bench, chosen));
         if (static_cast<int>(o) == term.base) continue;
-        bench.measured.errors.drawn.push_back({chosen, signed_differences(probes.back().picture, bench.measured.exact)});
+        bench.measured.errors.drawn.push_back(
+            {chosen, signed_differences(probes.back().picture, bench.measured.exact)});
     }
     std::vector<Probe*> timed;
     for (Probe& probe : probes) timed.push_back(&probe);
@@ -86,9 +98,13 @@ void measure_term(Bench& bench, const Probe& base, std::size_t t) {
     bench.measured.options.emplace_back();
     bench.measured.errors.changed.emplace_back();
     for (const Probe& probe : probes) {
-        const bool is_noise = std::abs(probe.frame - own_base.frame) < kNoise * base.frame;
-        bench.measured.options.back().push_back({is_noise ? 0.0 : probe.frame - own_base.frame,
-                                                 probe.bake - own_base.bake, code_error(probe.picture, exact)});
+        const auto more = [&](double FrameParts::*part) {
+            const double ms = probe.frame.*part - own_base.frame.*part;
+            return std::abs(ms) < kNoise * base.frame.sum() ? 0.0 : ms;
+        };
+        bench.measured.options.back().push_back({{more(&FrameParts::at_points), more(&FrameParts::rest)},
+                                                 probe.bake - own_base.bake,
+                                                 code_error(probe.picture, exact)});
         bench.measured.errors.changed.back().push_back(signed_differences(probe.picture, base.picture));
     }
 }
@@ -128,10 +144,12 @@ void set_costs(Bench& bench) {
             std::vector<int> chosen = base;
             chosen[t] = static_cast<int>(o);
             const SetCost& planned = planned_cost(subject, costs, chosen);
-            const double more = planned.of_samples + planned.of_picture - of_base.of_samples - of_base.of_picture;
-            const bool is_added = bench.terms[t].kind == TermKind::added;
-            costs.beyond.back().push_back(is_added ? bench.measured.options[t][o].frame - more : 0.0);
-            costs.bake_more.back().push_back(bench.measured.options[t][o].bake);
+            const MeasuredOption& measured = bench.measured.options[t][o];
+            FrameParts beyond = {measured.frame.at_points - (planned.parts.at_points - of_base.parts.at_points),
+                                 measured.frame.rest - (planned.parts.rest - of_base.parts.rest)};
+            if (bench.terms[t].kind == TermKind::structural) beyond = {};
+            costs.beyond.back().push_back(beyond);
+            costs.bake_more.back().push_back(measured.bake);
         }
     }
 }

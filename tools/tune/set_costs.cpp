@@ -22,6 +22,15 @@ bool is_film(const scene::PlannedPass& pass) {
     return pass.cost.items == "pixels";
 }
 
+bool is_of_samples(const scene::PlannedPass& pass) {
+    return pass.cost.items == "samples";
+}
+
+/// At every sample, or wherever light is computed.
+bool is_at_points(const scene::PlannedPass& pass) {
+    return is_of_samples(pass) || pass.scope == scene::PassScope::points || pass.name.starts_with("light ");
+}
+
 /// Of one pixel; it takes time even where nothing is added up.
 double film_operations(int samples, CostBy by) {
     scene::RenderPlan plan;
@@ -30,6 +39,15 @@ double film_operations(int samples, CostBy by) {
     counts.pixels = 1;
     const double operations = film_cost(plan, counts).operations();
     return by == CostBy::plan ? operations : std::max(operations, 1.0);
+}
+
+/// Is the term's cost what the plan says of it? Samples multiply; and a time of what is computed at lit points is as it
+/// was measured: the plan counts the dearest material at all of them.
+bool is_planned(const Term& term, CostBy by) {
+    if (is_samples(term)) return false;
+    const bool moves_passes =
+        term.kind == TermKind::structural || term.options.front().settings.front().table == "shadow";
+    return by == CostBy::plan || moves_passes;
 }
 
 double rate_of(const SetCosts& costs, const scene::PlannedPass& pass) {
@@ -63,7 +81,9 @@ SetCost cost_of_scene(const scene::Scene& scene, const SetCosts& costs) {
             const double rate = costs.by == CostBy::plan ? 1e-6 : rate_of(costs, pass);
             cost.film += rate * static_cast<double>(pass.cost.count);
         } else {
-            (pass.cost.items == "samples" ? cost.of_samples : cost.of_picture) += cost_of_pass(costs, pass);
+            const double takes = cost_of_pass(costs, pass);
+            (is_of_samples(pass) ? cost.of_samples : cost.of_picture) += takes;
+            (is_at_points(pass) ? cost.parts.at_points : cost.parts.rest) += takes;
         }
     }
     return cost;
@@ -71,8 +91,21 @@ SetCost cost_of_scene(const scene::Scene& scene, const SetCosts& costs) {
 
 }  // namespace
 
+FrameParts parts_of(const scene::RenderPlan& plan, const scene::StageTimes& times) {
+    FrameParts parts;
+    for (const auto& [name, ms] : times.stages) {
+        const auto pass =
+            std::find_if(plan.passes.begin(), plan.passes.end(),
+                         [&, named = std::string_view(name)](const auto& one) { return one.name == named; });
+        if (pass == plan.passes.end() || pass->scope == scene::PassScope::once) continue;  // baked before the frame
+        (is_at_points(*pass) ? parts.at_points : parts.rest) += ms;
+    }
+    return parts;
+}
+
 void add_rates(const scene::RenderPlan& plan, const scene::StageTimes& times, PassTimes& rates) {
     for (const scene::PlannedPass& pass : plan.passes) {
+        if (pass.scope == scene::PassScope::once) continue;
         const auto found = std::find_if(times.stages.begin(), times.stages.end(),
                                         [&](const auto& stage) { return stage.first == pass.name; });
         const double work = work_of(pass);
@@ -98,8 +131,8 @@ void set_rates(const PassTimes& measured, SetCosts& costs) {
 void scale_times(SetCosts& costs, double factor) {
     for (auto& [key, rate] : costs.rates) rate *= factor;
     costs.usual_rate *= factor;
-    for (std::vector<double>& options : costs.beyond) {
-        for (double& beyond : options) beyond *= factor;
+    for (std::vector<FrameParts>& options : costs.beyond) {
+        for (FrameParts& beyond : options) beyond = {factor * beyond.at_points, factor * beyond.rest};
     }
     costs.known.clear();
 }
@@ -113,7 +146,7 @@ int samples_of(const std::vector<Term>& terms, const std::vector<int>& chosen) {
 
 const SetCost& planned_cost(const CostSubject& subject, SetCosts& costs, std::vector<int> chosen) {
     for (std::size_t t = 0; t < subject.terms.size(); ++t) {
-        if (is_samples(subject.terms[t])) chosen[t] = subject.terms[t].base;
+        if (!is_planned(subject.terms[t], costs.by)) chosen[t] = subject.terms[t].base;
     }
     const auto found = costs.known.find(chosen);
     if (found != costs.known.end()) return found->second;
@@ -138,7 +171,7 @@ PictureCost picture_cost(const CostSubject& subject, SetCosts& costs, const std:
     const double lit = cost.lit / costs.base_lit * (cost.lit_at_samples ? scale : 1.0);
     for (std::size_t t = 0; t < chosen.size(); ++t) {
         const auto o = static_cast<std::size_t>(chosen[t]);
-        whole.frame += lit * costs.beyond[t][o];
+        whole.frame += lit * costs.beyond[t][o].at_points + costs.beyond[t][o].rest;
         whole.bake += costs.bake_more[t][o];
     }
     return whole;

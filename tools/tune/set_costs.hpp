@@ -1,6 +1,6 @@
 // What a set of options will cost, predicted from its plan: the plan knows what its terms do to each other, as that fog
-// at vertices pays where light is computed there, too. A time takes each pass's operations at the rate that was measured
-// of passes of its name, and adds what an option alone took beyond that.
+// at vertices pays where light is computed there, too. A time takes each pass's operations at the rate that was
+// measured of passes of its name, and adds what an option alone took beyond that.
 #pragma once
 
 #include <map>
@@ -16,10 +16,21 @@ namespace kreda::tools {
 /// on every machine.
 enum class CostBy { time, plan };
 
+/// What a frame takes at points that are lit or sampled, and the rest: vertices, texels of shadow maps.
+struct FrameParts {
+    double at_points = 0.0, rest = 0.0;
+
+    [[nodiscard]] double sum() const {
+        return at_points + rest;
+    }
+};
+[[nodiscard]] FrameParts parts_of(const scene::RenderPlan& plan, const scene::StageTimes& times);
+
 /// The cost of a set at one sample a pixel, by what it grows with.
 struct SetCost {
     double of_samples = 0.0;  ///< with the number of samples
     double of_picture = 0.0;  ///< with nothing
+    FrameParts parts;         ///< the same sum, divided as measured times are
     double film = 0.0;        ///< of one operation at each pixel
     double bake = 0.0;        ///< before the first frame
     double lit = 1.0;         ///< points at which light is computed
@@ -30,10 +41,10 @@ struct SetCost {
 
 struct SetCosts {
     CostBy by = CostBy::time;
-    std::map<std::string, double> rates;         ///< of passes, an operation
-    double usual_rate = 1e-6;                    ///< of passes that were not measured
-    std::vector<std::vector<double>> beyond;     ///< of each term and option, at the points that the base lights
-    std::vector<std::vector<double>> bake_more;  ///< the same, of what is baked
+    std::map<std::string, double> rates;          ///< of passes, an operation
+    double usual_rate = 1e-6;                     ///< of passes that were not measured
+    std::vector<std::vector<FrameParts>> beyond;  ///< of each term and option, at the points that the base lights
+    std::vector<std::vector<double>> bake_more;   ///< the same, of what is baked
     double base_lit = 1.0;
     std::map<std::vector<int>, SetCost> known;
 };
@@ -54,7 +65,8 @@ struct CostSubject {
     Setting size;  ///< of the probe
 };
 
-/// By the plan of the set, with the term of samples at its base; without what options took beyond the plan.
+/// By the plan of the set, with the terms at their base that are no matter of the plan (samples; in time, what is
+/// computed at lit points); without what options took beyond it.
 [[nodiscard]] const SetCost& planned_cost(const CostSubject& subject, SetCosts& costs, std::vector<int> chosen);
 
 /// A whole picture of so many times the probe's pixels.

@@ -32,9 +32,7 @@ CodeError error_of(const Differences& differences) {
     const std::size_t pixels = differences.size() / 3;
     std::vector<float> most(pixels, 0.0f);
     for (std::size_t c = 0; c < 3; ++c) {
-        for (std::size_t i = 0; i < pixels; ++i) {
-            most[i] = std::max(most[i], std::abs(differences[c * pixels + i]));
-        }
+        for (std::size_t i = 0; i < pixels; ++i) { most[i] = std::max(most[i], std::abs(differences[c * pixels + i])); }
     }
     return code_error(most);
 }

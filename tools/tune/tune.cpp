@@ -14,10 +14,10 @@ namespace kreda::tools {
 
 namespace {
 
-constexpr int kMostTrials = 4;        // sets that are tried before a term is raised, or because much of the budget is left
-constexpr double kMuchLeft = 0.85;    // of the budget is spent: more is not asked for
-constexpr double kUsualError = 8.0;   // codes: worse is no choice, where no budget of error is given
-constexpr double kLongMs = 3000.0;    // what takes seconds is measured once
+constexpr int kMostTrials = 4;  // sets that are tried before a term is raised, or because much of the budget is left
+constexpr double kMuchLeft = 0.85;   // of the budget is spent: more is not asked for
+constexpr double kUsualError = 8.0;  // codes: worse is no choice, where no budget of error is given
+constexpr double kLongMs = 3000.0;   // what takes seconds is measured once
 
 // Shares of the whole, for the progress; the rest is measuring the costs.
 constexpr double kMeasured = 0.3, kExplored = 0.2, kOracle = 0.2, kVerified = 0.2;

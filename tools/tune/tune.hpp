@@ -4,7 +4,8 @@
 //   2. Every option of every term is drawn small, the rest at its base (measure_terms.cpp).
 //   3. From these pictures and the plans of sets their errors and costs are predicted (set_errors.hpp, set_costs.hpp);
 //      the knapsack finds the sets that may be best, and the most promising ones are drawn, small, too (front.hpp).
-//   4. The cheapest within the budget is rendered as a whole and compared with all oracles together. Where the budget is
+//   4. The cheapest within the budget is rendered as a whole and compared with all oracles together. Where the budget
+//   is
 //      broken, the term that spent the most is raised; where much of it is left, more is asked for.
 #pragma once
 
@@ -28,9 +29,9 @@ struct TuneOptions {
     std::optional<double> budget_ms;  ///< of a picture, with its share of baking
     int frames = 1;                   ///< that baking is shared among
     int probe_pixels = 8'000;         ///< of the small pictures
-    int renders = 60;                 ///< of them, as far as single options leave some; at least kLeastExplored are sets
-    double oracle_seconds = 10.0;     ///< that the truth may take at most, about: fewer samples are taken if need be
-    int rounds = 3;                   ///< that an option is timed
+    int renders = 60;              ///< of them, as far as single options leave some; at least kLeastExplored are sets
+    double oracle_seconds = 10.0;  ///< that the truth may take at most, about: fewer samples are taken if need be
+    int rounds = 3;                ///< that an option is timed
     int threads = 0;
     CostBy cost_by = CostBy::time;
     lighting::Progress progress;  ///< of tune() as a whole
@@ -42,9 +43,9 @@ struct TuneOptions {
 
 /// What an option costs beside the base, of a small picture, and misses, alone.
 struct MeasuredOption {
-    double frame = 0.0;  ///< ms
-    double bake = 0.0;   ///< ms, before the first
-    CodeError error;     ///< against the term's oracle
+    FrameParts frame;   ///< ms
+    double bake = 0.0;  ///< ms, before the first
+    CodeError error;    ///< against the term's oracle
 };
 
 struct MeasuredTerms {
@@ -99,7 +100,7 @@ struct Attribution {
     int width = 0, height = 0;              ///< of a smaller picture, if the scene's has more than kAttributedPixels
     std::vector<std::vector<float>> codes;  ///< of each term, a pixel; nothing for those that are exact
 };
-inline constexpr int kAttributedPixels = 130'000;
+inline constexpr int kAttributedPixels = 40'000;
 [[nodiscard]] Attribution attribution(const SceneSource& source, const Tuned& tuned, const TuneOptions& options);
 
 /// The size of a picture of so many pixels at most, as wide for its height as the scene's.
