@@ -3,6 +3,7 @@
 
 #include <doctest/doctest.h>
 
+#include "scene/error.hpp"
 #include "scene/files/image_file.hpp"
 #include "scene/files/loaded_files.hpp"
 #include "scene/plan/plan_cost.hpp"
@@ -101,6 +102,18 @@ TEST_CASE("tune: a kept key stays and terms that cannot matter are left alone wi
         CHECK(term.name != "environment");
     }
     CHECK(found.pruned.size() >= 4);
+}
+
+TEST_CASE("tune: a budget of time has the exact picture where there is time for it and refuses what nothing can keep") {
+    const SceneFolder folder;
+    const tools::SceneSource source = folder.source(kTunedScenes[0]);
+    tools::TuneOptions options = within(0.0);
+    options.max_error.reset();
+    options.cost_by = tools::CostBy::time;
+    options.budget_ms = 1e6;
+    CHECK(tools::tune(source, {}, options).achieved.worst == 0.0);
+    options.budget_ms = 1e-4;
+    CHECK_THROWS_WITH_AS((void)tools::tune(source, {}, options), doctest::Contains("--budget-ms"), scene::UserError);
 }
 
 TEST_CASE("tune: changed text keeps every other line and says what was changed") {

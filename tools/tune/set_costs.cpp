@@ -167,6 +167,8 @@ PictureCost picture_cost(const CostSubject& subject, SetCosts& costs, const std:
     const double film = film_operations(n > 0 ? n : cost.samples, costs.by);
     PictureCost whole{scale * cost.of_samples + cost.of_picture + pixels_of_probe * film * cost.film, cost.bake};
     if (costs.by == CostBy::plan) return whole;
+    constexpr double kLeast = 0.1;  // of what the plan says: savings that were measured one by one may exceed it
+    const double least = kLeast * whole.frame;
     whole.bake = 0.0;
     const double lit = cost.lit / costs.base_lit * (cost.lit_at_samples ? scale : 1.0);
     for (std::size_t t = 0; t < chosen.size(); ++t) {
@@ -174,6 +176,7 @@ PictureCost picture_cost(const CostSubject& subject, SetCosts& costs, const std:
         whole.frame += lit * costs.beyond[t][o].at_points + costs.beyond[t][o].rest;
         whole.bake += costs.bake_more[t][o];
     }
+    whole.frame = std::max(whole.frame, least);
     return whole;
 }
 

@@ -2,6 +2,7 @@
 #include "tools/tune/tune.hpp"
 
 #include <algorithm>
+#include <array>
 #include <set>
 
 #include "scene/error.hpp"
@@ -15,9 +16,10 @@ namespace kreda::tools {
 namespace {
 
 constexpr int kMostTrials = 4;  // sets that are tried before a term is raised, or because much of the budget is left
-constexpr double kMuchLeft = 0.85;   // of the budget is spent: more is not asked for
-constexpr double kUsualError = 8.0;  // codes: worse is no choice, where no budget of error is given
-constexpr double kLongMs = 3000.0;   // what takes seconds is measured once
+constexpr double kMuchLeft = 0.85;     // of the budget is spent: more is not asked for
+constexpr double kUsualError = 8.0;    // codes: worse is no choice, where no budget of error is given
+constexpr double kTimeReserve = 0.95;  // of a budget of time may be taken: the next measurement is another one
+constexpr double kLongMs = 3000.0;     // what takes seconds is measured once
 
 // Shares of the whole, for the progress; the rest is measuring the costs.
 constexpr double kMeasured = 0.3, kExplored = 0.2, kOracle = 0.2, kVerified = 0.2;
@@ -155,6 +157,14 @@ double cost_of(const Search& search, const std::vector<int>& chosen) {
     return now.bake_ms / options.frames + now.frame_ms;
 }
 
+/// Of three turns.
+double median_cost_of(const Search& search, const std::vector<int>& chosen) {
+    std::array<double, 3> costs{};
+    for (double& cost : costs) cost = cost_of(search, chosen);
+    std::sort(costs.begin(), costs.end());
+    return costs[1];
+}
+
 /// The most accurate set that is predicted to cost no more; or, if there is none, the cheapest.
 const KnapsackChoice& most_accurate_within(const Search& search, double cost) {
     const KnapsackChoice* best = nullptr;
@@ -173,8 +183,8 @@ Verified keep_time(Search& search, double budget_ms) {
     double asked = budget_ms;
     for (int trial = 0; trial < 2 * kMostTrials; ++trial) {
         const KnapsackChoice& choice = most_accurate_within(search, asked);
-        const double cost = cost_of(search, choice.chosen);
-        if (cost <= budget_ms) return verify(search, choice);
+        const double cost = median_cost_of(search, choice.chosen);
+        if (cost <= kTimeReserve * budget_ms) return verify(search, choice);
         if (choice.cost > asked) break;
         asked = 0.95 * std::min(asked, choice.cost) * std::max(0.5, budget_ms / cost);
     }
@@ -267,6 +277,7 @@ Tuned tune(const SceneSource& source, const std::set<std::string>& kept, const T
     find_front(search);
     search.show_progress(kMeasured + kExplored);
     tuned.oracle_picture = search.picture_with(oracles(search.terms())).encoded;
+    tuned.own_error = code_error(search.picture_with(owns(search.terms())).encoded, tuned.oracle_picture);
     tuned.renders += 2;
     search.show_progress(kBefore);
 

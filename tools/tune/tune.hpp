@@ -82,6 +82,7 @@ struct Tuned {
     std::vector<KnapsackChoice> front;                            ///< predicted
     KnapsackChoice choice;                                        ///< predicted
     CodeError achieved;                                           ///< of the choice, verified
+    CodeError own_error;                                          ///< of the scene as it was
     double promised = 0.0;                                        ///< the budget
     double chosen_cost = 0.0, own_cost = 0.0, oracle_cost = 0.0;  ///< of the whole picture, measured side by side
     int renders = 0;                                              ///< pictures of different settings
