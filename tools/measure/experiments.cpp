@@ -12,6 +12,7 @@ const std::vector<Experiment>& experiments() {
          measure_texture_filter},
         {"frequency", "Flat, Gouraud, Phong: what does light per triangle or vertex miss, against tessellation?",
          measure_frequency},
+        {"shading_rate", "What does one shading point for 2 x 2 or 4 x 4 pixels miss?", measure_shading_rate},
         {"phong_blinn", "How far is Blinn-Phong with exponent 4h from Phong with h, over h and incidence?",
          measure_phong_blinn},
         {"fresnel", "How far is each Fresnel method from Fresnel's equations, over all angles?", measure_fresnel},
@@ -25,11 +26,15 @@ const std::vector<Experiment>& experiments() {
         {"shadow_map", "How wrong is a shadow map, over its size, bias and filter?", measure_shadow_map},
         {"soft_shadow", "How far are pcf and pcss from a wide lamp?", measure_soft_shadow},
         {"irradiance", "How many samples does irradiance take?", measure_irradiance},
+        {"sh9", "How wide must a light be for nine numbers to hold its irradiance?", measure_sh9},
         {"prefilter", "How many samples does a blurred environment take?", measure_prefilter},
         {"brdf_map", "How large must the BRDF map be, and where should its nodes stand?", measure_brdf_map},
+        {"brdf_fit", "How far is a closed form from the BRDF map, and what does it take?", measure_brdf_fit},
         {"split_sum", "How far is the split sum from the integral?", measure_split_sum},
         {"fog", "What do planar fog and fog per vertex miss?", measure_fog},
         {"float", "How far are the formulas in float from double?", measure_float},
+        {"exactness", "What does it cost to be exact: roots, pow, sub-pixel bits, a film of floats?",
+         measure_exactness},
         {"transfer", "How many codes lie between sRGB's curve and a power of 2.2?", measure_transfer},
     };
     return all;

@@ -16,7 +16,8 @@ Picture draw_picture(const scene::Scene& scene, scene::RenderBuffers& buffers, i
     const scene::RenderStatistics statistics = render(scene, make_plan(scene), buffers, threads);
     const std::chrono::duration<double, std::milli> all = std::chrono::steady_clock::now() - begin;
     const double frame = statistics.times.total_ms;
-    return {develop(buffers.film, film_settings(scene.image)), frame, std::max(all.count() - frame, 0.0)};
+    return {develop(buffers.film, film_settings(scene.image)), frame, std::max(all.count() - frame, 0.0),
+            statistics.times};
 }
 
 scene::Scene scene_of(const std::string& text, const std::vector<std::string>& overrides) {

@@ -15,6 +15,7 @@ struct Picture {
     raster::Image encoded;  ///< what the PNG holds, 0..1
     double frame_ms = 0.0;
     double bake_ms = 0.0;  ///< before the frame, where maps were not in the buffers yet
+    scene::StageTimes times = {};
 };
 
 /// Renders with the buffers' memory. threads = 0: one a core.

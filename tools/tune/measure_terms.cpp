@@ -2,58 +2,155 @@
 #include <algorithm>
 #include <cmath>
 
-#include "scene/plan/plan_cost.hpp"
+#include "scene/error.hpp"
 #include "tools/tune/tune.hpp"
 
 namespace kreda::tools {
 
 namespace {
 
-/// A scene that shares its environment's image with the first: what is baked of it need not be baked again.
-void share_environment(const scene::Scene& first, scene::Scene& scene) {
-    if (scene.environment.file == first.environment.file) scene.environment.image = first.environment.image;
-}
-
 constexpr double kLong = 400.0;  // ms: what takes longer is timed once
 
 constexpr double kNoise = 0.04;  // of a frame: what differs by less takes the same time
 
-/// One scene on its way to be measured.
+/// One set on its way to be measured.
 struct Probe {
     scene::Scene scene;
-    scene::RenderBuffers buffers;
     raster::Image picture;
-    std::vector<double> frames;
-    MeasuredOption result;
+    std::vector<FrameParts> frames;
+    FrameParts frame;
+    double bake = 0.0;
 };
 
-/// Its picture, what was baked for it, and its time where the plan says the cost.
-void draw_first(Probe& probe, const TuneOptions& options) {
-    const Picture drawn = draw_picture(probe.scene, probe.buffers, options.threads);
-    probe.picture = drawn.encoded;
-    if (options.cost_by == CostBy::plan) {
-        const scene::RenderPlan plan = make_plan(probe.scene);
-        probe.result.bake = 1e-6 * baking_operations(plan);
-        probe.result.frame = 1e-6 * total_operations(plan);
-    } else {
-        probe.result.bake = drawn.bake_ms;
-        probe.frames = {drawn.frame_ms};
+/// Everything that measuring needs.
+struct Bench {
+    const SceneSource& source;
+    const std::vector<Term>& terms;
+    const TuneOptions& options;
+    DrawnSets& drawn;
+    MeasuredTerms& measured;
+    PassTimes times = {};
+
+    [[nodiscard]] bool takes_time() const {
+        return options.cost_by == CostBy::time;
     }
+};
+
+void add_frame(Bench& bench, Probe& probe, const Picture& drawn) {
+    const scene::RenderPlan plan = make_plan(probe.scene);
+    probe.frames.push_back(parts_of(plan, drawn.times));
+    add_rates(plan, drawn.times, bench.times);
+}
+
+double median_of(const std::vector<FrameParts>& frames, double FrameParts::*part) {
+    std::vector<double> values;
+    for (const FrameParts& frame : frames) values.push_back(frame.*part);
+    const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
+    std::nth_element(values.begin(), middle, values.end());
+    return *middle;
+}
+
+/// Its picture, what was baked for it, and its time.
+Probe draw_first(Bench& bench, const std::vector<int>& chosen) {
+    std::vector<Setting> settings = settings_of(bench.terms, chosen);
+    settings.push_back(bench.measured.size);
+    Probe probe;
+    probe.scene = read_with(bench.source, settings);
+    const Picture drawn = draw_with_baked(bench.drawn, probe.scene, bench.options.threads);
+    probe.picture = drawn.encoded;
+    probe.bake = drawn.bake_ms;
+    ++bench.measured.renders;
+    if (bench.takes_time()) add_frame(bench, probe, drawn);
+    return probe;
 }
 
 /// The options in turn, round after round; the median counts.
-void time_frames(std::vector<Probe>& probes, const TuneOptions& options) {
-    if (options.cost_by == CostBy::plan) return;
-    for (int round = 1; round < options.rounds; ++round) {
-        for (Probe& probe : probes) {
-            if (probe.frames.front() > kLong) continue;
-            probe.frames.push_back(draw_picture(probe.scene, probe.buffers, options.threads).frame_ms);
+void time_frames(Bench& bench, std::vector<Probe*> probes) {
+    if (!bench.takes_time()) return;
+    for (int round = 1; round < bench.options.rounds; ++round) {
+        for (Probe* probe : probes) {
+            if (probe->frames.front().sum() > kLong) continue;
+            add_frame(bench, *probe, draw_with_baked(bench.drawn, probe->scene, bench.options.threads));
         }
     }
-    for (Probe& probe : probes) {
-        const auto middle = probe.frames.begin() + static_cast<std::ptrdiff_t>(probe.frames.size() / 2);
-        std::nth_element(probe.frames.begin(), middle, probe.frames.end());
-        probe.result.frame = *middle;
+    for (Probe* probe : probes) {
+        probe->frame = {median_of(probe->frames, &FrameParts::at_points), median_of(probe->frames, &FrameParts::rest)};
+    }
+}
+
+/// All options of one term, the base among them; sets are drawn with the others at their base.
+void measure_term(Bench& bench, const Probe& base, std::size_t t) {
+    const Term& term = bench.terms[t];
+    std::vector<Probe> probes;
+    for (std::size_t o = 0; o < term.options.size(); ++o) {
+        std::vector<int> chosen = bases(bench.terms);
+        chosen[t] = static_cast<int>(o);
+        probes.push_back(static_cast<int>(o) == term.base ? base : draw_first(bench, chosen));
+        if (static_cast<int>(o) == term.base) continue;
+        bench.measured.errors.drawn.push_back(
+            {chosen, signed_differences(probes.back().picture, bench.measured.exact)});
+    }
+    std::vector<Probe*> timed;
+    for (Probe& probe : probes) timed.push_back(&probe);
+    time_frames(bench, timed);
+    Probe& own_base = probes[static_cast<std::size_t>(term.base)];
+    const raster::Image& exact = probes[static_cast<std::size_t>(term.oracle)].picture;
+    bench.measured.options.emplace_back();
+    bench.measured.errors.changed.emplace_back();
+    for (const Probe& probe : probes) {
+        const auto more = [&](double FrameParts::*part) {
+            const double ms = probe.frame.*part - own_base.frame.*part;
+            return std::abs(ms) < kNoise * base.frame.sum() ? 0.0 : ms;
+        };
+        bench.measured.options.back().push_back({{more(&FrameParts::at_points), more(&FrameParts::rest)},
+                                                 probe.bake - own_base.bake,
+                                                 code_error(probe.picture, exact)});
+        bench.measured.errors.changed.back().push_back(signed_differences(probe.picture, base.picture));
+    }
+}
+
+/// Structural terms two by two, one of them the tessellation: coarse triangles err more where they are shaded flat.
+void draw_pairs(Bench& bench) {
+    const auto is_structural = [&](std::size_t t) {
+        return bench.terms[t].kind == TermKind::structural && !is_samples(bench.terms[t]);
+    };
+    for (std::size_t t = 0; t < bench.terms.size(); ++t) {
+        for (std::size_t u = 0; u < t; ++u) {
+            if (!is_structural(t) || !is_structural(u)) continue;
+            for (std::size_t o = 0; o < bench.terms[t].options.size() * bench.terms[u].options.size(); ++o) {
+                std::vector<int> chosen = bases(bench.terms);
+                chosen[t] = static_cast<int>(o % bench.terms[t].options.size());
+                chosen[u] = static_cast<int>(o / bench.terms[t].options.size());
+                if (chosen[t] == bench.terms[t].base || chosen[u] == bench.terms[u].base) continue;
+                draw_probe(bench.source, bench.terms, chosen, bench.options, bench.drawn, bench.measured);
+            }
+        }
+    }
+}
+
+/// What options take beyond what their plans say, by the rates of all passes.
+void set_costs(Bench& bench) {
+    SetCosts& costs = bench.measured.costs;
+    costs.by = bench.options.cost_by;
+    set_rates(bench.times, costs);
+    const CostSubject subject{bench.source, bench.terms, bench.measured.size};
+    const std::vector<int> base = bases(bench.terms);
+    const SetCost of_base = planned_cost(subject, costs, base);
+    costs.base_lit = of_base.lit;
+    for (std::size_t t = 0; t < bench.terms.size(); ++t) {
+        costs.beyond.emplace_back();
+        costs.bake_more.emplace_back();
+        for (std::size_t o = 0; o < bench.terms[t].options.size(); ++o) {
+            std::vector<int> chosen = base;
+            chosen[t] = static_cast<int>(o);
+            const SetCost& planned = planned_cost(subject, costs, chosen);
+            const MeasuredOption& measured = bench.measured.options[t][o];
+            FrameParts beyond = {measured.frame.at_points - (planned.parts.at_points - of_base.parts.at_points),
+                                 measured.frame.rest - (planned.parts.rest - of_base.parts.rest)};
+            if (bench.terms[t].kind == TermKind::structural) beyond = {};
+            costs.beyond.back().push_back(beyond);
+            costs.bake_more.back().push_back(measured.bake);
+        }
     }
 }
 
@@ -70,87 +167,35 @@ double budget_of(const CodeError& error) {
     return std::max(error.mean, error.p99 / 4.0);
 }
 
-void limit_oracle(const SceneSource& source, std::vector<Term>& terms, const TuneOptions& options) {
-    const auto is_samples = [](const Term& term) {
-        return term.options.front().settings.front().key == "samples" && term.cost == CostKind::multiplied;
-    };
-    const auto samples = std::find_if(terms.begin(), terms.end(), is_samples);
-    if (samples == terms.end()) return;
-    std::vector<Setting> settings = {probe_size(read_with(source, {}).image, options.probe_pixels / 4)};
-    for (const Term& term : terms) {
-        const int chosen = is_samples(term) ? term.base : term.oracle;
-        const std::vector<Setting>& more = term.options[static_cast<std::size_t>(chosen)].settings;
-        settings.insert(settings.end(), more.begin(), more.end());
-    }
-    const scene::Scene scene = read_with(source, settings), whole = read_with(source, {});
-    scene::RenderBuffers buffers;
-    double ms = draw_picture(scene, buffers, options.threads).frame_ms;  // the first frame asks for memory, too
-    for (int again = 0; again < 2 && ms < kLong; ++again) {
-        ms = std::min(ms, draw_picture(scene, buffers, options.threads).frame_ms);
-    }
-    const auto pixels = [](const scene::ImageSettings& image) {
-        return static_cast<double>(image.width) * image.height;
-    };
-    const double seconds = 1e-3 * ms * pixels(whole.image) / pixels(scene.image);  // with one sample a pixel
-    const auto n_of = [&](int o) { return std::stoi(samples->options[static_cast<std::size_t>(o)].name); };
-    const int own = n_of(samples->own);
-    std::vector<TermOption> kept;
-    int most = 0;
-    for (int o = 0; o < static_cast<int>(samples->options.size()); ++o) {
-        const int n = n_of(o);
-        if (n > own && n > 2 && seconds * n * n > options.oracle_seconds) continue;
-        kept.push_back(samples->options[static_cast<std::size_t>(o)]);
-        most = std::max(most, n);
-    }
-    samples->options = kept;
-    for (int o = 0; o < static_cast<int>(kept.size()); ++o) {
-        if (n_of(o) == own) samples->own = o;
-        if (n_of(o) == most) samples->oracle = o;
-    }
+bool draw_probe(const SceneSource& source, const std::vector<Term>& terms, const std::vector<int>& chosen,
+                const TuneOptions& options, DrawnSets& drawn, MeasuredTerms& measured) {
+    std::vector<Setting> settings = settings_of(terms, chosen);
+    settings.push_back(measured.size);
+    try {
+        const Picture picture = draw_with_baked(drawn, read_with(source, settings), options.threads);
+        measured.errors.drawn.push_back({chosen, signed_differences(picture.encoded, measured.exact)});
+        ++measured.renders;
+        return true;
+    } catch (const scene::UserError&) { return false; }  // options that do not go together
 }
 
-MeasuredTerms measure_terms(const SceneSource& source, const std::vector<Term>& terms, const TuneOptions& options) {
-    std::vector<Setting> bases = {probe_size(read_with(source, {}).image, options.probe_pixels)};
-    std::size_t all = 0;
-    for (const Term& term : terms) {
-        const std::vector<Setting>& more = term.options[static_cast<std::size_t>(term.base)].settings;
-        if (term.base != term.own) bases.insert(bases.end(), more.begin(), more.end());
-        all += term.options.size();
-    }
-    std::vector<Probe> base(1);
-    base[0].scene = read_with(source, bases);
-    draw_first(base[0], options);
-    time_frames(base, options);
+MeasuredTerms measure_terms(const SceneSource& source, const std::vector<Term>& terms, const TuneOptions& options,
+                            DrawnSets& drawn) {
     MeasuredTerms measured;
-    measured.base = base[0].result;
-    measured.renders = 1;
-    for (const Term& term : terms) {
-        std::vector<Probe> probes(term.options.size());
-        for (std::size_t o = 0; o < probes.size(); ++o) {
-            std::vector<Setting> settings = bases;
-            const std::vector<Setting>& more = term.options[o].settings;
-            settings.insert(settings.end(), more.begin(), more.end());
-            probes[o].scene = read_with(source, settings);
-            share_environment(base[0].scene, probes[o].scene);
-            const bool bakes_anew = more.front().table == "environment";
-            if (!bakes_anew) probes[o].buffers.environment = base[0].buffers.environment;
-            draw_first(probes[o], options);
-            measured.renders += static_cast<int>(o) != term.base;
-            if (options.progress) options.progress(static_cast<double>(measured.renders) / static_cast<double>(all));
-        }
-        time_frames(probes, options);
-        const double noise = options.cost_by == CostBy::plan ? 0.0 : kNoise * measured.base.frame;
-        const double base_frame = probes[static_cast<std::size_t>(term.base)].result.frame;
-        for (Probe& probe : probes) {
-            if (std::abs(probe.result.frame - base_frame) < noise) probe.result.frame = base_frame;
-        }
-        const raster::Image& exact = probes[static_cast<std::size_t>(term.oracle)].picture;
-        measured.options.emplace_back();
-        for (Probe& probe : probes) {
-            probe.result.error = code_error(probe.picture, exact);
-            measured.options.back().push_back(probe.result);
-        }
+    measured.size = probe_size(read_with(source, {}).image, options.probe_pixels);
+    Bench bench{source, terms, options, drawn, measured};
+    measured.exact = draw_first(bench, oracles(terms)).picture;
+    measured.errors.drawn.push_back({oracles(terms), signed_differences(measured.exact, measured.exact)});
+    Probe base = draw_first(bench, bases(terms));
+    time_frames(bench, {&base});
+    measured.errors.drawn.push_back({bases(terms), signed_differences(base.picture, measured.exact)});
+    for (std::size_t t = 0; t < terms.size(); ++t) {
+        measure_term(bench, base, t);
+        if (options.progress) options.progress(static_cast<double>(t + 1) / static_cast<double>(terms.size()));
     }
+    draw_pairs(bench);
+    measure_distances(measured.errors);
+    set_costs(bench);
     return measured;
 }
 

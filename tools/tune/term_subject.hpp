@@ -36,13 +36,16 @@ void add_option(const TermSubject& subject, Term& term, const TermOption& option
 /// A term of all options and these two; left out where there is nothing to choose.
 void add_term(TermSubject& subject, Term term, const TermOption& own, const TermOption& oracle);
 
+/// That option holds while other terms are measured, if the term has it.
+void set_base(Term& term, const TermOption& option);
+
 /// Kept because the user says so; then it is pruned.
 [[nodiscard]] bool is_kept(TermSubject& subject, const std::string& table, const std::string& key,
                            const std::string& name);
 
 /// The term of a row of the registry, value by value.
 void add_choice(TermSubject& subject, const std::string& table, int which, const std::string& key,
-                const std::string& of = "", CostKind cost = CostKind::added);
+                const std::string& of = "", TermKind kind = TermKind::added);
 
 // terms_of_light.cpp
 void add_shadow_term(TermSubject& subject);

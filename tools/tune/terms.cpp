@@ -39,6 +39,11 @@ void add_term(TermSubject& subject, Term term, const TermOption& own, const Term
     subject.found.terms.push_back(std::move(term));
 }
 
+void set_base(Term& term, const TermOption& option) {
+    const int base = index_of(term, option);
+    if (base >= 0) term.base = base;
+}
+
 bool is_kept(TermSubject& subject, const std::string& table, const std::string& key, const std::string& name) {
     const bool kept = subject.kept.contains(table + "." + key);
     if (kept) prune(subject, name, "kept as the scene has it");
@@ -46,14 +51,14 @@ bool is_kept(TermSubject& subject, const std::string& table, const std::string& 
 }
 
 void add_choice(TermSubject& subject, const std::string& table, int which, const std::string& key,
-                const std::string& of, CostKind cost) {
+                const std::string& of, TermKind kind) {
     const Choice* choice = find_choice(table, key);
     KREDA_EXPECT(choice != nullptr);
     const std::string name = std::string(choice->name) + of;
     if (is_kept(subject, table, key, name)) return;
     if (choice->oracle.empty()) return prune(subject, name, "no oracle: " + std::string(choice->why_oracle));
     const auto option = [&](const std::string& value) { return TermOption{value, {{table, which, key, value}}}; };
-    Term term{name, cost, {}, 0, 0};
+    Term term{name, kind, {}, 0, 0};
     for (const std::string& value : choice->values) add_option(subject, term, option(value));
     add_term(subject, std::move(term), option(subject.own(table, which, key)), option(choice->oracle));
 }
@@ -83,7 +88,7 @@ void add_tessellation(TermSubject& subject) {
         }
         return made;
     };
-    Term term{"tessellation", CostKind::added, {}, 0, 0};
+    Term term{"tessellation", TermKind::structural, {}, 0, 0};
     add_option(subject, term, option(0.25, "a quarter"));
     add_option(subject, term, option(0.5, "half"));
     add_term(subject, std::move(term), option(1.0, "as it is"), option(2.0, "double"));
@@ -100,7 +105,7 @@ void add_supersampling(TermSubject& subject) {
         return TermOption{std::to_string(n), {{"image", -1, "samples", std::to_string(n)}}};
     };
     const scene::ImageSettings& image = subject.scene.image;
-    Term term{name, CostKind::multiplied, {}, 0, 0};
+    Term term{name, TermKind::structural, {}, 0, 0};
     int most = image.samples;
     for (const std::string& value : choice.values) {
         const int n = std::stoi(value);
@@ -116,7 +121,7 @@ void add_supersampling(TermSubject& subject) {
 void add_picture_terms(TermSubject& subject) {
     add_supersampling(subject);
     const bool lit = subject.plan.has_lights || subject.plan.lit_by_environment;
-    if (lit) add_choice(subject, "shading", -1, "frequency", "", CostKind::multiplied);
+    if (lit) add_choice(subject, "shading", -1, "frequency", "", TermKind::structural);
     if (!lit) prune(subject, "shading frequency", "nothing is lit");
     if (subject.scene.camera.projection == raster::Projection::orthographic) {
         prune(subject, "interpolation", "parallel rays: with and without perspective are the same");
@@ -151,6 +156,33 @@ SceneTerms terms_of(const SceneSource& source, const std::set<std::string>& kept
         prune(subject, "materials", "some are not in the scene file itself");
     }
     return std::move(subject.found);
+}
+
+bool is_samples(const Term& term) {
+    const Setting& first = term.options.front().settings.front();
+    return first.table == "image" && first.key == "samples";
+}
+
+namespace {
+
+std::vector<int> of_each(const std::vector<Term>& terms, int Term::*option) {
+    std::vector<int> chosen;
+    for (const Term& term : terms) chosen.push_back(term.*option);
+    return chosen;
+}
+
+}  // namespace
+
+std::vector<int> oracles(const std::vector<Term>& terms) {
+    return of_each(terms, &Term::oracle);
+}
+
+std::vector<int> owns(const std::vector<Term>& terms) {
+    return of_each(terms, &Term::own);
+}
+
+std::vector<int> bases(const std::vector<Term>& terms) {
+    return of_each(terms, &Term::base);
 }
 
 std::vector<Setting> settings_of(const std::vector<Term>& terms, const std::vector<int>& chosen) {

@@ -17,16 +17,16 @@ struct TermOption {
     std::vector<Setting> settings;
 };
 
-/// How the cost of a term adds to the others': as it is, or it multiplies what a sample costs.
-enum class CostKind { added, multiplied };
+/// Does a term add its cost to the others', or does it say where, and how often, the others are computed?
+enum class TermKind { added, structural };
 
 struct Term {
     std::string name;  ///< "Fresnel of gold"
-    CostKind cost = CostKind::added;
+    TermKind kind = TermKind::added;
     std::vector<TermOption> options;
     int oracle = 0;  ///< what the others are measured against
     int own = 0;     ///< what the scene says
-    int base = 0;    ///< what holds while other terms are measured: the scene's own, but one sample a pixel
+    int base = 0;    ///< what holds while other terms are measured: the scene's own, or what is fast and near it
 };
 
 /// A term that is left alone, and why no picture can differ by it, or why nothing would be saved.
@@ -43,6 +43,14 @@ struct SceneTerms {
 /// The terms of the scene of a source. Options that the scene reader refuses are left out. `kept`: keys
 /// ("image.samples") that stay as the scene has them.
 [[nodiscard]] SceneTerms terms_of(const SceneSource& source, const std::set<std::string>& kept = {});
+
+/// Is it the number of samples a pixel? That one multiplies what is done once a sample.
+[[nodiscard]] bool is_samples(const Term& term);
+
+/// The oracle's option of each term, the scene's own, and those that hold while others are measured.
+[[nodiscard]] std::vector<int> oracles(const std::vector<Term>& terms);
+[[nodiscard]] std::vector<int> owns(const std::vector<Term>& terms);
+[[nodiscard]] std::vector<int> bases(const std::vector<Term>& terms);
 
 /// The settings of one option of each term; the scene's own where `chosen` says so.
 [[nodiscard]] std::vector<Setting> settings_of(const std::vector<Term>& terms, const std::vector<int>& chosen);

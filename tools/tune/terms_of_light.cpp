@@ -46,7 +46,7 @@ void add_shadow_term(TermSubject& subject) {
     const Choice& sizes = *find_choice("shadow", "size");
     const bool is_map = own("method") == "map", is_soft = is_map && own("filter") == "pcss";
     const std::string filter = own("filter");
-    Term term{"shadows", CostKind::added, {}, 0, 0};
+    Term term{"shadows", TermKind::added, {}, 0, 0};
     for (const std::string& size : sizes.values) {
         for (const char* bias : {"slope", "normal_offset"}) add_option(subject, term, map_option(size, bias, filter));
         if (filter != "none") add_option(subject, term, map_option(size, "slope", "none"));
@@ -58,7 +58,12 @@ void add_shadow_term(TermSubject& subject) {
     if (is_map) mine = map_option(own("size"), own("bias"), filter);
     TermOption oracle = method_option("exact");
     if (is_soft) oracle = map_option(sizes.oracle, "slope", "pcss");
+    const std::size_t terms = subject.found.terms.size();
     add_term(subject, std::move(term), mine, oracle);
+    // While other terms are measured a hard shadow does: it lies where the soft one lies, and takes a small part of it.
+    if (is_map && filter != "none" && subject.found.terms.size() > terms) {
+        set_base(subject.found.terms.back(), map_option(own("size"), "slope", "none"));
+    }
 }
 
 void add_environment_term(TermSubject& subject) {
@@ -76,7 +81,7 @@ void add_environment_term(TermSubject& subject) {
     const auto integral = [](const std::string& samples) {
         return TermOption{"integral, " + samples + " samples", {{"environment", -1, "reference", samples}}};
     };
-    Term term{"environment", CostKind::added, {}, 0, 0};
+    Term term{"environment", TermKind::added, {}, 0, 0};
     const bool mirrors = subject.plan.environment.blurred;
     const std::vector<std::string> samples =
         mirrors ? find_choice("environment", "samples")->values
@@ -93,14 +98,17 @@ void add_environment_term(TermSubject& subject) {
     const auto own = [&](const std::string& key) { return subject.own("environment", -1, key); };
     const TermOption mine =
         own("reference") == "0" ? split_sum(own("irradiance"), own("samples")) : integral(own("reference"));
+    const std::size_t terms = subject.found.terms.size();
     add_term(subject, std::move(term), mine, integral(reference.oracle));
+    // The same: the split sum while others are measured.
+    if (own("reference") != "0" && subject.found.terms.size() > terms) subject.found.terms.back().base = 0;
 }
 
 void add_fog_terms(TermSubject& subject) {
     if (!subject.plan.fog_at_pixels && !subject.plan.fog_at_vertices) {
         return prune(subject, "fog", "there is none before anything seen");
     }
-    add_choice(subject, "fog", -1, "frequency");
+    add_choice(subject, "fog", -1, "frequency", "", TermKind::structural);
     add_choice(subject, "fog", -1, "distance");
 }
 

@@ -11,7 +11,7 @@ void add_fresnel_term(TermSubject& subject, int m, const std::string& of) {
     const auto option = [&](const std::string& method) {
         return TermOption{method, {{"material", m, "fresnel", method}}};
     };
-    Term term{"Fresnel" + of, CostKind::added, {}, 0, 0};
+    Term term{"Fresnel" + of, TermKind::added, {}, 0, 0};
     for (const std::string& method : methods.values) {
         if (method == "table") continue;
         add_option(subject, term, option(method));

@@ -2,22 +2,30 @@
 #include "tools/tune/tune.hpp"
 
 #include <algorithm>
+#include <array>
+#include <set>
 
 #include "scene/error.hpp"
+#include "scene/files/loaded_files.hpp"
 #include "scene/plan/plan_cost.hpp"
 #include "tools/measure/finding.hpp"
+#include "tools/tune/front.hpp"
 
 namespace kreda::tools {
 
 namespace {
 
-constexpr int kMostTrials = 4;          // sets that are tried because much of the budget is left
-constexpr double kMuchLeft = 0.85;      // of the budget is spent: more is not asked for
-constexpr double kTimeTolerance = 1.0;  // a promise of time is kept by the median
-constexpr double kLongMs = 3000.0;      // what takes seconds is measured once
+constexpr int kMostTrials = 4;  // sets that are tried before a term is raised, or because much of the budget is left
+constexpr double kMuchLeft = 0.85;     // of the budget is spent: more is not asked for
+constexpr double kUsualError = 8.0;    // codes: worse is no choice, where no budget of error is given
+constexpr double kTimeReserve = 0.95;  // of a budget of time may be taken: the next measurement is another one
+constexpr double kLongMs = 3000.0;     // what takes seconds is measured once
 
 // Shares of the whole, for the progress; the rest is measuring the costs.
-constexpr double kMeasured = 0.5, kOracle = 0.2, kVerified = 0.2;
+constexpr double kMeasured = 0.3, kExplored = 0.2, kOracle = 0.2, kVerified = 0.2;
+constexpr double kBefore = kMeasured + kExplored + kOracle;
+
+using Sets = std::set<std::vector<int>>;
 
 /// A set of options and what became of it.
 struct Verified {
@@ -31,14 +39,15 @@ struct Search {
     const SceneSource& source;
     const TuneOptions& options;
     Tuned& tuned;
-    std::vector<std::vector<bool>> allowed;
-    double frame_scale = 1.0;
+    std::vector<std::vector<bool>> allowed = {};
+    std::vector<Candidate> candidates = {};
+    double pixels_of_probe = 1.0;
 
     [[nodiscard]] const std::vector<Term>& terms() const {
         return tuned.found.terms;
     }
-    [[nodiscard]] std::vector<KnapsackChoice> front() const {
-        return best_choices(terms(), tuned.measured, allowed, options.frames, frame_scale);
+    [[nodiscard]] FrontSubject subject() const {
+        return {source, terms(), options, tuned.drawn, tuned.measured, pixels_of_probe};
     }
     [[nodiscard]] scene::Scene scene_with(const std::vector<int>& chosen) const {
         return read_with(source, settings_of(terms(), chosen));
@@ -51,19 +60,6 @@ struct Search {
     }
 };
 
-std::vector<int> oracles(const std::vector<Term>& terms) {
-    std::vector<int> chosen;
-    for (const Term& term : terms) chosen.push_back(term.oracle);
-    return chosen;
-}
-
-std::vector<int> owns(const std::vector<Term>& terms) {
-    std::vector<int> chosen;
-    for (const Term& term : terms) chosen.push_back(term.own);
-    return chosen;
-}
-
-/// Like the registry's oracles alone, but of methods that do not go together the reader's refusal is an error of ours.
 Verified verify(const Search& search, const KnapsackChoice& choice) {
     Verified verified{choice, {}, {}};
     verified.picture = search.picture_with(choice.chosen).encoded;
@@ -71,15 +67,17 @@ Verified verify(const Search& search, const KnapsackChoice& choice) {
     ++search.tuned.renders;
     search.tuned.trials.push_back({choice, verified.error, ""});
     const double trials = static_cast<double>(search.tuned.trials.size());
-    search.show_progress(kMeasured + kOracle + kVerified * trials / (trials + 2.0));
+    search.show_progress(kBefore + kVerified * trials / (trials + 2.0));
     return verified;
 }
 
-/// The dearest picture's error that a front offers within a budget, or nullptr.
-const KnapsackChoice* cheapest_within(const std::vector<KnapsackChoice>& front, double budget) {
+/// The cheapest that is predicted to miss no more than `asked`, of those that were not refused.
+const KnapsackChoice* cheapest_within(const Search& search, double asked, const Sets& refused) {
     const KnapsackChoice* best = nullptr;
-    for (const KnapsackChoice& choice : front) {
-        if (choice.error <= budget) best = &choice;  // costs fall along the front
+    for (const Candidate& candidate : search.candidates) {
+        const KnapsackChoice& choice = candidate.choice;
+        if (choice.error > asked || (best && choice.cost >= best->cost) || refused.contains(choice.chosen)) continue;
+        best = &choice;
     }
     return best;
 }
@@ -102,46 +100,45 @@ void raise_term(Search& search, const KnapsackChoice& choice) {
         if (!is_oracle && error >= spent) search.allowed[most][o] = false;
     }
     search.tuned.trials.back().raised = search.terms()[most].name;
+    search.candidates = find_candidates(search.subject(), search.allowed);
+    predict(search.subject(), search.candidates);
 }
 
-/// Choose, verify, raise, until the budget is kept; the oracles themselves keep every budget.
-Verified keep_error(Search& search, double budget, double asked) {
-    for (;;) {
-        const std::vector<KnapsackChoice> front = search.front();
-        const KnapsackChoice* choice = cheapest_within(front, asked);
-        if (!choice || choice->chosen == oracles(search.terms())) {
-            KnapsackChoice exact{0.0, 0.0, oracles(search.terms())};
-            for (const KnapsackChoice& one : front) {
-                if (one.chosen == exact.chosen) exact.cost = one.cost;
-            }
-            return {exact, {}, search.tuned.oracle_picture};
+/// Choose, verify, ask for less or raise a term, until the budget is kept; the oracles themselves keep every budget.
+Verified keep_error(Search& search, double budget, double& asked, Sets& refused) {
+    const std::vector<int> exact = oracles(search.terms());
+    for (int trial = 1;; ++trial) {
+        const KnapsackChoice* choice = cheapest_within(search, asked, refused);
+        if (!choice || choice->chosen == exact) {
+            return {{predicted_cost(search.subject(), exact), 0.0, exact}, {}, search.tuned.oracle_picture};
         }
         Verified verified = verify(search, *choice);
-        if (budget_of(verified.error) <= budget) return verified;
-        raise_term(search, *choice);
+        const double missed = budget_of(verified.error);
+        if (missed <= budget) return verified;
+        refused.insert(verified.choice.chosen);
+        asked = std::min(asked, verified.choice.error) * std::max(0.5, 0.98 * budget / missed);
+        if (trial >= kMostTrials) raise_term(search, verified.choice);
     }
 }
 
-/// Errors of terms hide each other: where the whole misses less than its parts, more is asked of the front.
-Verified spend_the_rest(Search& search, double budget, Verified best) {
-    double asked = budget;
+/// Large pictures miss less than small ones, which have more edges: where much is left, more is asked for.
+Verified spend_the_rest(Search& search, double budget, double asked, Sets& refused, Verified best) {
+    double least_broken = 1e30;  // what was asked for where the budget was broken
     for (int trial = 0; trial < kMostTrials; ++trial) {
         const double spent = budget_of(best.error);
         if (spent > kMuchLeft * budget) break;
-        asked *= spent > 0.0 ? std::min(budget / spent, 3.0) : 3.0;
-        const std::vector<KnapsackChoice> front = search.front();
-        const KnapsackChoice* choice = cheapest_within(front, asked);
-        if (!choice || choice->chosen == best.choice.chosen) break;
+        const double more = asked * (spent > 0.0 ? std::min(budget / spent, 3.0) : 3.0);
+        asked = more < least_broken ? more : 0.5 * (asked + least_broken);
+        const KnapsackChoice* choice = cheapest_within(search, asked, refused);
+        if (!choice || choice->cost >= best.choice.cost) break;
         Verified next = verify(search, *choice);
-        if (budget_of(next.error) > budget) {
-            asked = 0.5 * (asked + best.choice.error);  // too much: half of the way
-            choice = cheapest_within(front, asked);
-            if (!choice || choice->chosen == best.choice.chosen) break;
-            next = verify(search, *choice);
-            if (budget_of(next.error) <= budget) best = std::move(next);
-            break;
+        if (budget_of(next.error) <= budget) {
+            best = std::move(next);
+            continue;
         }
-        best = std::move(next);
+        refused.insert(next.choice.chosen);
+        least_broken = asked;
+        asked = best.choice.error;
     }
     return best;
 }
@@ -160,17 +157,36 @@ double cost_of(const Search& search, const std::vector<int>& chosen) {
     return now.bake_ms / options.frames + now.frame_ms;
 }
 
+/// Of three turns.
+double median_cost_of(const Search& search, const std::vector<int>& chosen) {
+    std::array<double, 3> costs{};
+    for (double& cost : costs) cost = cost_of(search, chosen);
+    std::sort(costs.begin(), costs.end());
+    return costs[1];
+}
+
+/// The most accurate set that is predicted to cost no more; or, if there is none, the cheapest.
+const KnapsackChoice& most_accurate_within(const Search& search, double cost) {
+    const KnapsackChoice* best = nullptr;
+    const KnapsackChoice* cheapest = &search.candidates.front().choice;
+    for (const Candidate& candidate : search.candidates) {
+        const KnapsackChoice& choice = candidate.choice;
+        if (choice.cost < cheapest->cost) cheapest = &choice;
+        if (choice.cost > cost) continue;
+        if (!best || std::pair(choice.error, choice.cost) < std::pair(best->error, best->cost)) best = &choice;
+    }
+    return best ? *best : *cheapest;
+}
+
 /// The most accurate set that a picture of this cost can have.
 Verified keep_time(Search& search, double budget_ms) {
     double asked = budget_ms;
-    for (int trial = 0; trial < 6; ++trial) {
-        const std::vector<KnapsackChoice> front = search.front();
-        const auto first = std::find_if(front.begin(), front.end(), [&](const auto& c) { return c.cost <= asked; });
-        const KnapsackChoice& choice = first != front.end() ? *first : front.back();
-        const double cost = cost_of(search, choice.chosen);
-        if (cost <= kTimeTolerance * budget_ms) return verify(search, choice);
-        if (first == front.end()) break;
-        asked *= 0.95 * budget_ms / cost;
+    for (int trial = 0; trial < 2 * kMostTrials; ++trial) {
+        const KnapsackChoice& choice = most_accurate_within(search, asked);
+        const double cost = median_cost_of(search, choice.chosen);
+        if (cost <= kTimeReserve * budget_ms) return verify(search, choice);
+        if (choice.cost > asked) break;
+        asked = 0.95 * std::min(asked, choice.cost) * std::max(0.5, budget_ms / cost);
     }
     throw scene::UserError(search.source.name + ": no choice of settings takes less than " + digits(budget_ms) +
                            " ms; allow more with --budget-ms, or make image.size smaller");
@@ -184,7 +200,7 @@ void measure_costs(const Search& search, const std::vector<int>& chosen) {
         for (std::size_t i = 0; i < 3; ++i) {
             costs[i][round] = cost_of(search, sets[i]);
             const double share = (3.0 * static_cast<double>(round) + static_cast<double>(i + 1)) / 9.0;
-            search.show_progress(kMeasured + kOracle + kVerified + (1.0 - kMeasured - kOracle - kVerified) * share);
+            search.show_progress(kBefore + kVerified + (1.0 - kBefore - kVerified) * share);
         }
     }
     for (std::array<double, 3>& cost : costs) std::sort(cost.begin(), cost.end());
@@ -193,12 +209,12 @@ void measure_costs(const Search& search, const std::vector<int>& chosen) {
     search.tuned.oracle_cost = costs[2][1];
 }
 
-/// "saves 3.1 ms, costs 0.2 codes (was phong)"
-std::string comment_of(const Search& search, std::size_t t, int o, const std::string& was) {
-    const std::vector<MeasuredOption>& measured = search.tuned.measured.options[t];
-    const MeasuredOption& mine = measured[static_cast<std::size_t>(o)];
-    const MeasuredOption& own = measured[static_cast<std::size_t>(search.terms()[t].own)];
-    const double saved = search.frame_scale * (own.frame - mine.frame) + (own.bake - mine.bake) / search.options.frames;
+/// "saves 3.1 ms, costs 0.2 codes (was phong)": beside the same set with the scene's own way.
+std::string comment_of(const Search& search, std::size_t t, const std::vector<int>& chosen, const std::string& was) {
+    const MeasuredOption& mine = search.tuned.measured.options[t][static_cast<std::size_t>(chosen[t])];
+    std::vector<int> own = chosen;
+    own[t] = search.terms()[t].own;
+    const double saved = predicted_cost(search.subject(), own) - predicted_cost(search.subject(), chosen);
     const std::string unit = search.options.cost_by == CostBy::plan ? " million operations" : " ms";
     return (saved >= 0.0 ? "saves " : "takes ") + digits(std::abs(saved)) + unit + (saved >= 0.0 ? "" : " more") +
            ", errs by " + fixed(mine.error.mean, 2) + " codes (was " + (was.empty() ? "not given" : was) + ")";
@@ -212,50 +228,66 @@ std::vector<Change> changes_of(const Search& search, const std::vector<int>& cho
         if (chosen[t] == term.own) continue;
         for (const Setting& setting : term.options[static_cast<std::size_t>(chosen[t])].settings) {
             const std::string was = value_in(search.source, setting.table, setting.which, setting.key);
-            if (was != setting.value) changes.push_back({setting, comment_of(search, t, chosen[t], was)});
+            if (was != setting.value) changes.push_back({setting, comment_of(search, t, chosen, was)});
         }
     }
     return changes;
 }
 
-/// A frame of the whole picture / of a probe, both with the scene's own settings.
-double frame_scale_of(const Search& search) {
-    const MeasuredTerms& measured = search.tuned.measured;
-    double probe = measured.base.frame;
-    for (std::size_t t = 0; t < search.terms().size(); ++t) {
-        const Term& term = search.terms()[t];
-        if (term.cost == CostKind::added) continue;
-        const double base = measured.options[t][static_cast<std::size_t>(term.base)].frame;
-        if (base > 0.0) probe *= measured.options[t][static_cast<std::size_t>(term.own)].frame / base;
-    }
-    const double whole = cost_of(search, owns(search.terms()));
-    const double frame = whole - measured.base.bake / search.options.frames;
-    return probe > 0.0 && frame > 0.0 ? frame / probe : 1.0;
+/// Times that were predicted and measured are of one machine at one load: what the scene's own set takes is right.
+void scale_rates(Search& search) {
+    if (search.options.cost_by == CostBy::plan) return;
+    const std::vector<int> own = owns(search.terms());
+    const double measured = search.picture_with(own).frame_ms;
+    const CostSubject subject{search.source, search.terms(), search.tuned.measured.size};
+    const double predicted = picture_cost(subject, search.tuned.measured.costs, own, search.pixels_of_probe).frame;
+    if (measured > 0.0 && predicted > 0.0) scale_times(search.tuned.measured.costs, measured / predicted);
+}
+
+/// Steps 2 and 3 of tune.hpp.
+void find_front(Search& search) {
+    Tuned& tuned = search.tuned;
+    TuneOptions measuring = search.options;
+    if (search.options.progress) measuring.progress = [&](double share) { search.show_progress(kMeasured * share); };
+    tuned.measured = measure_terms(search.source, tuned.found.terms, measuring, tuned.drawn);
+    for (const Term& term : search.terms()) search.allowed.emplace_back(term.options.size(), true);
+    const scene::ImageSettings image = read_with(search.source, {}).image;
+    search.pixels_of_probe =
+        static_cast<double>(image.width) * image.height / static_cast<double>(tuned.measured.exact.plane_size());
+    scale_rates(search);
+    search.candidates = find_candidates(search.subject(), search.allowed);
+    predict(search.subject(), search.candidates);
+    const int rest = std::max(search.options.renders - tuned.measured.renders, kLeastExplored);
+    const double corner = search.options.max_error ? 2.0 * *search.options.max_error : kUsualError;
+    explore(search.subject(), search.candidates, rest, corner);
+    tuned.front = front_of(search.candidates);
+    tuned.renders = tuned.measured.renders;
 }
 
 }  // namespace
 
 Tuned tune(const SceneSource& source, const std::set<std::string>& kept, const TuneOptions& options) {
     Tuned tuned;
-    tuned.found = terms_of(source, kept);
-    limit_oracle(source, tuned.found.terms, options);
-    TuneOptions measuring = options;
-    if (options.progress) measuring.progress = [&](double share) { options.progress(kMeasured * share); };
-    tuned.measured = measure_terms(source, tuned.found.terms, measuring);
-    tuned.renders = tuned.measured.renders;
-    Search search{source, options, tuned, {}};
-    for (const Term& term : search.terms()) search.allowed.emplace_back(term.options.size(), true);
-    search.frame_scale = frame_scale_of(search);
-    tuned.front = search.front();
+    scene::LoadedFiles files;
+    SceneSource kept_source = source;  // the scene is read a thousand times: its files and shapes once
+    if (!kept_source.read.files) kept_source.read.files = &files;
+    tuned.found = terms_of(kept_source, kept);
+    limit_oracle(kept_source, tuned.found.terms, options, tuned.drawn);
+    Search search{kept_source, options, tuned};
+    find_front(search);
+    search.show_progress(kMeasured + kExplored);
     tuned.oracle_picture = search.picture_with(oracles(search.terms())).encoded;
+    tuned.own_error = code_error(search.picture_with(owns(search.terms())).encoded, tuned.oracle_picture);
     tuned.renders += 2;
-    search.show_progress(kMeasured + kOracle);
+    search.show_progress(kBefore);
 
     Verified best;
     if (options.max_error) {
         tuned.promised = *options.max_error;
-        best = keep_error(search, tuned.promised, tuned.promised);
-        best = spend_the_rest(search, tuned.promised, std::move(best));
+        Sets refused;
+        double asked = tuned.promised;
+        best = keep_error(search, tuned.promised, asked, refused);
+        best = spend_the_rest(search, tuned.promised, asked, refused, std::move(best));
     } else {
         best = keep_time(search, options.budget_ms.value_or(0.0));
         tuned.promised = budget_of(best.error);

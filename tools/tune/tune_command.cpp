@@ -90,8 +90,9 @@ std::string header_of(const Tuned& tuned, const CommandOptions& options) {
            " in 99 of 100 pixels\nachieved: " + fixed(tuned.achieved.mean, 3) + " and " + fixed(tuned.achieved.p99, 0) +
            " (worst " + fixed(tuned.achieved.worst, 0) + "), against the oracles of all terms\n" + pictures +
            " takes " + digits(tuned.chosen_cost) + unit + "; as the scene was " + digits(tuned.own_cost) + " (" +
-           fixed(tuned.own_cost / tuned.chosen_cost, 2) + " times), with all oracles " + digits(tuned.oracle_cost) +
-           " (" + fixed(tuned.oracle_cost / tuned.chosen_cost, 2) + " times)\n";
+           fixed(tuned.own_cost / tuned.chosen_cost, 2) + " times, and missed " + fixed(tuned.own_error.mean, 2) +
+           " and " + fixed(tuned.own_error.p99, 0) + "), with all oracles " + digits(tuned.oracle_cost) + " (" +
+           fixed(tuned.oracle_cost / tuned.chosen_cost, 2) + " times)\n";
 }
 
 void print_terms(const Tuned& tuned) {
