@@ -1,12 +1,15 @@
 #include "examples/example.hpp"
 
 #include <cstdio>
+#include <cstdlib>
 #include <filesystem>
 #include <fstream>
 #include <iostream>
 #include <sstream>
+#include <tuple>
 
 #include <CLI/CLI.hpp>
+#include <glm/common.hpp>
 
 #include "scene/error.hpp"
 #include "scene/files/image_file.hpp"
@@ -16,6 +19,8 @@
 namespace kreda::examples {
 
 namespace {
+
+constexpr glm::ivec2 kDraftSize(640, 360);
 
 /// "640x360" -> width and height.
 void read_size(const std::string& text, Options& options) {
@@ -64,26 +69,49 @@ void write_composition(const Options& options, const std::string& file, const Co
     if (!(layout << layout_lines(file, picture))) throw scene::UserError(scene::Place{options.folder}, "cannot write");
 }
 
+/// As a word of a shell's command.
+std::string quoted(const std::string& text) {
+    std::string word = "'";
+    for (const char c : text) word += c == '\'' ? std::string("'\\''") : std::string(1, c);
+    return word + "'";
+}
+
+/// The slides of the example's page with the pictures that were drawn: 0, or 2 where they could not be made.
+int make_slides(const std::string& out, const std::string& name, const std::string& theme) {
+    const std::string command = "python3 " + quoted(KREDA_COURSE_FOLDER "/docs/site/slides.py") + " --out " +
+                                quoted(out) + " --theme " + theme + " " + name;
+    if (std::system(command.c_str()) == 0) return 0;
+    throw scene::UserError(
+        "--slides: the slides were not made; python3 and its matplotlib make them (apt-get install "
+        "python3-matplotlib)");
+}
+
 }  // namespace
 
-int run(int argc, char** argv, const std::string& name, void (*draw)(const Options&), Options options) {
-    std::string out = "out";
-    std::string size;
+int run(int argc, char** argv, const std::string& name, void (*draw)(const Options&)) {
+    Options options;
+    std::string out = "out", size, theme = "dark";
+    bool slides = false;
     CLI::App app("Example " + name + ": writes its pictures to OUT/" + name + "/. Its page: docs/" + name + ".md");
     app.add_option("--out", out, "folder for the pictures, made if need be (default: out)");
-    app.add_option(
-        "--size", size,
-        "size of the pictures (default: " + std::to_string(options.width) + "x" + std::to_string(options.height) + ")");
+    app.add_option("--size", size, "size of the pictures (default: 1920x1080, of drafts 640x360)");
+    app.add_flag("--draft", options.draft, "small and fast, as the pages show them: fewer samples a pixel");
+    app.add_option("--theme", theme, "dark, for a projector, or light, for paper: captions, plots, drawings");
+    app.add_flag("--slides", slides,
+                 "also slides of 1920 x 1080 with the equations of the page: OUT/" + name + "/slides and slides.pdf");
     app.add_flag("--panels", options.panels,
                  "also write what was computed, panel by panel and without any text, and where the texts stand");
     try {
         app.parse(argc, argv);
+        options.theme = tools::theme_named(theme, "--theme");
+        if (options.draft) options.samples = 1;
+        if (options.draft) std::tie(options.width, options.height) = std::tuple(kDraftSize.x, kDraftSize.y);
         if (!size.empty()) read_size(size, options);
         options.folder = out + "/" + name;
         make_folder(options.folder);
         std::filesystem::remove_all(options.folder + "/panels");
         draw(options);
-        return 0;
+        return slides ? make_slides(out, name, theme) : 0;
     } catch (const CLI::ParseError& error) {
         return app.exit(error) == 0 ? 0 : 2;
     } catch (const scene::UserError& error) {
@@ -100,7 +128,7 @@ void save(const Options& options, const std::string& file, const raster::Image& 
 }
 
 void save_panels(const Options& options, const std::string& file, int columns, const std::vector<Panel>& panels) {
-    write_composition(options, file, compose({options.width, options.height}, columns, panels));
+    write_composition(options, file, compose({options.width, options.height}, columns, panels, options.theme));
     for (std::size_t i = 0; options.panels && i < panels.size(); ++i) {
         if (!panels[i].is_computed) continue;
         write_panel(options, file + "/" + panel_name(i, panels[i]), develop(panels[i].image, {}));
@@ -108,8 +136,12 @@ void save_panels(const Options& options, const std::string& file, int columns, c
 }
 
 void save_panel(const Options& options, const std::string& file, const Panel& panel) {
-    write_composition(options, file, compose({panel.image.width, panel.image.height}, 1, {panel}));
+    write_composition(options, file, compose({panel.image.width, panel.image.height}, 1, {panel}, options.theme));
     if (options.panels && panel.is_computed) write_panel(options, file, develop(panel.image, {}));
+}
+
+glm::ivec2 measured_size(const Options& options) {
+    return glm::min(glm::ivec2(options.width, options.height), kDraftSize);
 }
 
 scene::Scene read_scene(const Options& options, const std::string& path) {

@@ -104,6 +104,53 @@ Panel captioned(const scene::Scene& scene, const std::string& caption) {
     return {scene::render(scene), caption};
 }
 
+namespace {
+
+/// How much of each pixel something covers, of 3 x 3 samples.
+Image coverage_of(scene::Scene scene) {
+    scene.image.samples = 3;
+    scene.image.background = glm::vec3(0.0f);
+    scene.environment.on = false;
+    scene.lights.clear();
+    for (lighting::Material& material : scene.materials) {
+        material.model = lighting::ReflectionModel::unlit;
+        material.phong.diffuse = glm::vec3(1.0f);
+    }
+    return scene::render(scene);
+}
+
+/// The mean colour of those of the nine pixels around (x, y) that are covered whole; its own if none is.
+glm::vec3 color_beside(const Image& lit, const Image& coverage, int x, int y) {
+    glm::vec3 sum(0.0f);
+    int count = 0;
+    for (int j = std::max(y - 1, 0); j <= std::min(y + 1, lit.height - 1); ++j) {
+        for (int i = std::max(x - 1, 0); i <= std::min(x + 1, lit.width - 1); ++i) {
+            if (coverage.at(0, i, j) < 0.999f) continue;
+            sum += lit.rgb(i, j);
+            ++count;
+        }
+    }
+    return count > 0 ? sum / static_cast<float>(count) : lit.rgb(x, y);
+}
+
+}  // namespace
+
+Image render_outlined(const Options& options, const scene::Scene& scene) {
+    if (options.draft) return scene::render(scene);
+    scene::Scene once = scene;
+    once.image.samples = 1;
+    const Image lit = scene::render(once), coverage = coverage_of(scene);
+    Image image = lit;
+    for (int y = 0; y < image.height; ++y) {
+        for (int x = 0; x < image.width; ++x) {
+            const float covered = coverage.at(0, x, y);
+            if (covered < 0.001f || covered > 0.999f) continue;
+            image.set_rgb(x, y, glm::mix(scene.image.background, color_beside(lit, coverage, x, y), covered));
+        }
+    }
+    return image;
+}
+
 Image difference_picture(const Image& a, const Image& b, float gain) {
     Image difference = a;
     for (std::size_t i = 0; i < a.values.size(); ++i) {

@@ -8,7 +8,7 @@
 
 #include <glm/mat4x4.hpp>
 
-#include "examples/panel.hpp"
+#include "examples/example.hpp"
 #include "scene/scene.hpp"
 
 namespace kreda::examples {
@@ -44,6 +44,10 @@ int add_shape(scene::Scene& scene, const std::string& shape, int detail, const g
 
 /// Render the scene to linear radiance, with a caption.
 [[nodiscard]] Panel captioned(const scene::Scene& scene, const std::string& caption);
+
+/// Render to linear radiance as the scene says in a draft; else light once a pixel and take 3 x 3 samples of the
+/// outline alone. For pictures of things before an even background, with too many lights for nine samples.
+[[nodiscard]] Image render_outlined(const Options& options, const scene::Scene& scene);
 
 /// |a - b|, `gain` times as bright.
 [[nodiscard]] Image difference_picture(const Image& a, const Image& b, float gain);

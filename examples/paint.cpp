@@ -29,18 +29,7 @@ Image paint(const raster::Mesh& mesh, const raster::Camera& camera, glm::ivec2 s
     Image fine = make_board(size.x * samples, size.y * samples, background);
     for_each_surface_point(mesh, camera, {fine.width, fine.height},
                            [&](int x, int y, const SurfacePoint& point) { fine.set_rgb(x, y, color(point)); });
-    Image image = make_board(size.x, size.y);
-    const float weight = 1.0f / static_cast<float>(samples * samples);
-    for (int y = 0; y < size.y; ++y) {
-        for (int x = 0; x < size.x; ++x) {
-            glm::vec3 sum(0.0f);
-            for (int s = 0; s < samples * samples; ++s) {
-                sum += fine.rgb(x * samples + s % samples, y * samples + s / samples);
-            }
-            image.set_rgb(x, y, weight * sum);
-        }
-    }
-    return image;
+    return box_average(fine, samples);
 }
 
 }  // namespace kreda::examples

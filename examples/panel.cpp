@@ -40,7 +40,8 @@ float common_size(int picture_height, const std::vector<Panel>& panels) {
 }
 
 /// A caption on a dark strip in the lower left corner of a panel that begins at `corner`.
-void write_caption(Composition& onto, const Panel& panel, glm::ivec2 corner, float size) {
+void write_caption(Composition& onto, const Panel& panel, glm::ivec2 corner, float size,
+                   const tools::ThemeColors& colors) {
     if (panel.caption.empty() || !tools::has_typeface()) return;
     const float padding = kPadding * size;
     const auto lines = lines_of(panel.caption, size, static_cast<float>(panel.image.width) - 2.0f * padding);
@@ -49,22 +50,41 @@ void write_caption(Composition& onto, const Panel& panel, glm::ivec2 corner, flo
     const float height = kLineHeight * size * static_cast<float>(lines.size()) + padding;
     const glm::ivec2 strip(std::lround(width + 2.0f * padding), std::lround(height));
     const int top = corner.y + panel.image.height - strip.y;
-    fill_rectangle(onto.image, corner.x, top, strip.x, strip.y, kBoard);
+    fill_rectangle(onto.image, corner.x, top, strip.x, strip.y, colors.ground);
     for (std::size_t i = 0; i < lines.size(); ++i) {
         const float down = 0.5f * padding + (tools::kAscent + kLineHeight * static_cast<float>(i)) * size;
         const glm::vec2 start(static_cast<float>(corner.x) + padding, static_cast<float>(top) + down);
-        tools::draw_type(onto.image, start, lines[i], kChalk, size);
+        tools::draw_type(onto.image, start, lines[i], colors.text, size);
     }
     onto.texts.push_back(
         {panel.caption, {glm::vec2(corner.x, top), glm::vec2(corner.x, top) + glm::vec2(strip)}, size});
 }
 
-void write_labels(Composition& onto, const Panel& panel, glm::ivec2 corner) {
+void write_labels(Composition& onto, const Panel& panel, glm::ivec2 corner, bool inked) {
     for (const Label& label : panel.labels) {
         const glm::vec2 start = glm::vec2(corner) + label.start;
-        tools::draw_type(onto.image, start, label.text, label.color, label.size);
+        tools::draw_type(onto.image, start, label.text, inked ? tools::on_paper(label.color) : label.color, label.size);
         onto.texts.push_back({label.text, tools::type_ink(start, label.text, label.size), label.size});
     }
+}
+
+/// A drawing in ink on paper, but for the pictures in it.
+Image inked_image(const Panel& panel) {
+    Image image = panel.image;
+    glm::vec3 last = kBoard, on_paper = tools::on_paper(last);
+    for (int y = 0; y < image.height; ++y) {
+        for (int x = 0; x < image.width; ++x) {
+            if (const glm::vec3 color = image.rgb(x, y); color != last) {  // neighbours are often alike
+                last = color;
+                on_paper = tools::on_paper(color);
+            }
+            image.set_rgb(x, y, on_paper);
+        }
+    }
+    for (const PixelBox& box : panel.pictures) {
+        paste(image, crop(panel.image, box.x, box.y, box.width, box.height), box.x, box.y);
+    }
+    return image;
 }
 
 }  // namespace
@@ -76,9 +96,15 @@ std::vector<Panel> with_captions(std::vector<Image> images, const std::vector<st
     return panels;
 }
 
+std::vector<Panel> as_drawings(std::vector<Panel> panels) {
+    for (Panel& panel : panels) panel.is_drawing = true;
+    return panels;
+}
+
 Panel empty_panel(glm::ivec2 size) {
     Panel panel(make_board(size.x, size.y));
     panel.is_computed = false;
+    panel.is_drawing = true;
     return panel;
 }
 
@@ -86,16 +112,18 @@ float caption_size(int picture_height) {
     return static_cast<float>(picture_height) / 22.0f;
 }
 
-Composition compose(glm::ivec2 size, int columns, const std::vector<Panel>& panels) {
+Composition compose(glm::ivec2 size, int columns, const std::vector<Panel>& panels, tools::Theme theme) {
+    const tools::ThemeColors colors = colors_of(theme);
+    const auto inked = [&](const Panel& panel) { return panel.is_drawing && theme == tools::Theme::light; };
     std::vector<Image> images;
-    for (const Panel& panel : panels) images.push_back(panel.image);
-    Composition whole{montage(size.x, size.y, columns, images), {}};
+    for (const Panel& panel : panels) images.push_back(inked(panel) ? inked_image(panel) : panel.image);
+    Composition whole{montage(size.x, size.y, columns, images, colors.division), {}};
     const float type = common_size(size.y, panels);
     for (std::size_t i = 0; i < panels.size(); ++i) {
         const glm::ivec2 corner = panel_corner(size.x, size.y, columns, static_cast<int>(i), panels.size(),
                                                {panels[i].image.width, panels[i].image.height});
-        write_labels(whole, panels[i], corner);
-        write_caption(whole, panels[i], corner, type);
+        write_labels(whole, panels[i], corner, inked(panels[i]));
+        write_caption(whole, panels[i], corner, type, colors);
     }
     return whole;
 }

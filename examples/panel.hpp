@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "examples/draw.hpp"
+#include "tools/draw/theme.hpp"
 #include "tools/draw/type.hpp"
 
 namespace kreda::examples {
@@ -18,6 +19,11 @@ struct Label {
     float size = 0.0f;
 };
 
+/// A rectangle of pixels.
+struct PixelBox {
+    int x = 0, y = 0, width = 0, height = 0;
+};
+
 /// `image` holds what was computed, in linear RGB, without any text: golden images are made of it.
 struct Panel {
     Panel(Image computed, std::string text = {}) : image(std::move(computed)), caption(std::move(text)) {}
@@ -26,12 +32,17 @@ struct Panel {
     std::string caption;  ///< in the lower left corner; also the name of its file
     std::vector<Label> labels;
     bool is_computed = true;  ///< false: a plot, a table, an empty place. It has no golden image
+    bool is_drawing = false;  ///< in chalk on the board; the light theme shows it and its labels in ink on paper
+    std::vector<PixelBox> pictures{};  ///< parts of a drawing that no theme changes
 };
 
 /// Images and their captions, one each.
 [[nodiscard]] std::vector<Panel> with_captions(std::vector<Image> images, const std::vector<std::string>& captions);
 
-/// A place that stays empty.
+/// The same, each a drawing.
+[[nodiscard]] std::vector<Panel> as_drawings(std::vector<Panel> panels);
+
+/// A place that stays empty: a drawing.
 [[nodiscard]] Panel empty_panel(glm::ivec2 size);
 
 /// The size of captions on a picture of this height; what does not fit in its panel is set smaller, down to the least
@@ -52,7 +63,8 @@ struct Composition {
 };
 
 /// Panels side by side, row by row, each in the middle of its cell, then their texts.
-[[nodiscard]] Composition compose(glm::ivec2 size, int columns, const std::vector<Panel>& panels);
+[[nodiscard]] Composition compose(glm::ivec2 size, int columns, const std::vector<Panel>& panels,
+                                  tools::Theme theme = tools::Theme::dark);
 
 /// The file's name of a panel without its ending: its number from 1 and its caption, "2_point_1_d_2".
 [[nodiscard]] std::string panel_name(std::size_t index, const Panel& panel);

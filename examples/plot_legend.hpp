@@ -4,12 +4,12 @@
 #include <string>
 #include <vector>
 
-#include "examples/panel.hpp"
+#include "examples/example.hpp"
 
 namespace kreda::examples {
 
 /// What the first four styles of tools/draw/plot_style.hpp mean, in their colours and with their markers; four texts at
 /// most.
-[[nodiscard]] Panel plot_legend(glm::ivec2 size, int picture_height, const std::vector<std::string>& texts);
+[[nodiscard]] Panel plot_legend(const Options& options, glm::ivec2 size, const std::vector<std::string>& texts);
 
 }  // namespace kreda::examples

@@ -39,7 +39,7 @@ bool write_plot(const Options& options, const std::string& name, const std::stri
                 glm::ivec2 size, float type_size) {
     const std::string path = options.folder + "/" + name;
     tools::write_file(path + ".csv", csv_of(plot));
-    const tools::PlotLook look{size, type_size, tools::PlotTheme::dark};
+    const tools::PlotLook look{size, type_size, options.theme};
     return draw_plot(plot, title, path, look);
 }
 
@@ -63,6 +63,7 @@ Panel plot_panel(const Options& options, const std::string& name, const std::str
     }
     const std::string file = options.folder + "/" + name + ".png";
     paste(panel.image, read_plot(file), 0, 0);
+    panel.is_drawing = false;
     std::error_code ignored;
     std::filesystem::remove(file, ignored);
     return panel;

@@ -11,9 +11,9 @@ int add_scaled_shape(scene::Scene& scene, const std::string& shape, int detail, 
     return object;
 }
 
-scene::Scene table_scene(glm::ivec2 size) {
+scene::Scene table_scene(glm::ivec2 size, int samples) {
     scene::Scene scene = empty_scene(size);
-    scene.image.samples = 1;
+    scene.image.samples = samples;
     scene.camera.position = {1.7f, 2.2f, 4.0f};
     scene.camera.target = {-0.1f, 0.5f, 0.0f};
     scene.camera.vertical_fov_deg = 32.0f;
@@ -28,16 +28,16 @@ scene::Scene table_scene(glm::ivec2 size) {
     return scene;
 }
 
-scene::Scene sunny_table(glm::ivec2 size) {
-    scene::Scene scene = table_scene(size);
+scene::Scene sunny_table(glm::ivec2 size, int samples) {
+    scene::Scene scene = table_scene(size, samples);
     scene.lights = {directional_light({-1.0f, -1.1f, -0.6f})};
     scene.lights[0].shadow = true;
     scene.shadow.method = shadows::ShadowMethod::map;
     return scene;
 }
 
-scene::Scene sunny_table_closely(glm::ivec2 size) {
-    scene::Scene scene = sunny_table(size);
+scene::Scene sunny_table_closely(glm::ivec2 size, int samples) {
+    scene::Scene scene = sunny_table(size, samples);
     scene.camera.target = {-0.35f, 0.15f, 0.1f};
     scene.camera.vertical_fov_deg = 17.0f;
     return scene;

@@ -13,14 +13,15 @@ inline constexpr float kBallRadius = 0.3f;
 inline const glm::vec3 kPillarCentre{-0.1f, 0.8f, -0.45f}, kPillarHalfSize{0.09f, 0.8f, 0.09f};
 inline const glm::vec3 kLampPosition{1.0f, 1.35f, 0.15f};
 
-/// The scene, its lamp casting shadows by rays (`shadow.method = "exact"`), one sample a pixel.
-[[nodiscard]] scene::Scene table_scene(glm::ivec2 size);
+/// The scene, its lamp casting shadows by rays (`shadow.method = "exact"`), samples x samples a
+/// pixel.
+[[nodiscard]] scene::Scene table_scene(glm::ivec2 size, int samples = 1);
 
 /// The same things under the sun, which casts shadows by a map (`shadow.method = "map"`).
-[[nodiscard]] scene::Scene sunny_table(glm::ivec2 size);
+[[nodiscard]] scene::Scene sunny_table(glm::ivec2 size, int samples = 1);
 
 /// The same, seen close: the box, and the shadow of the ball beside it.
-[[nodiscard]] scene::Scene sunny_table_closely(glm::ivec2 size);
+[[nodiscard]] scene::Scene sunny_table_closely(glm::ivec2 size, int samples = 1);
 
 /// Add a built-in shape, scaled and then moved. Returns its number.
 int add_scaled_shape(scene::Scene& scene, const std::string& shape, int detail, const glm::vec3& position,

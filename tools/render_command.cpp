@@ -90,7 +90,7 @@ void write_slide(const std::string& path, const RenderOptions& options, const sc
         const glm::ivec2 size = slide_picture_size(picture.width, picture.height);
         picture = fit(picture, size.x, size.y);
     }
-    scene::write_png(path, make_slide(picture, slide_text(options, view), slide_ground(options.slides)));
+    scene::write_png(path, make_slide(picture, slide_text(options, view), theme_named(options.slides, "--slides")));
     warn_of_film(report, false);
     std::cerr << "wrote " << path << " (a slide of " << kSlideWidth << " x " << kSlideHeight << ")\n";
 }
@@ -125,7 +125,7 @@ void check_slides(const RenderOptions& options, const std::string& path) {
         if (options.title.empty() && options.caption.empty()) return;
         throw UserError("--title and --caption are written on slides: add --slides dark or --slides light");
     }
-    static_cast<void>(slide_ground(options.slides));
+    static_cast<void>(theme_named(options.slides, "--slides"));
     if (is_exr(path)) throw UserError(Place{path}, "a slide is a .png; without --slides an .exr holds the numbers");
 }
 

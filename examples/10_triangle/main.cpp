@@ -50,7 +50,6 @@ void draw_coverage(const Options& options) {
     streams.screen.assign(kCorner.begin(), kCorner.end());
     raster::VisibilityBuffer buffer(kColumns, kRows);
     rasterize_triangle(streams, {{0, 1, 2}}, 0, buffer);
-
     Image pixels = make_board(kColumns, kRows);
     for (int i = 0; i < kColumns * kRows; ++i) {
         if (buffer.triangle[i] != raster::kNoTriangle) pixels.set_rgb(i % kColumns, i / kColumns, 0.5f * kBlue);
@@ -59,6 +58,7 @@ void draw_coverage(const Options& options) {
     Panel panel(enlarge_with_grid(pixels, cell));
     draw_outline(panel.image, kCorner, cell);
     for (int i = 0; i < 3; ++i) panel.labels.push_back(name_of(kCorner[i], cell, "abc"[i], options.height));
+    panel.is_drawing = true;
     save_panel(options, "coverage", panel);
 }
 
@@ -83,7 +83,7 @@ void draw_edge_functions(const Options& options) {
         draw_outline(panels[i].image, kCorner, cell);
         for (int k = 0; k < 3; ++k) { panels[i].labels.push_back(name_of(kCorner[k], cell, "abc"[k], options.height)); }
     }
-    save_panels(options, "edge_functions", 2, panels);
+    save_panels(options, "edge_functions", 2, as_drawings(std::move(panels)));
 }
 
 /// Who owns a pixel centre that lies exactly on an edge?
@@ -128,9 +128,9 @@ void draw(const Options& options) {
     draw_edge_functions(options);
     const glm::ivec2 size = panel_size(options.width, options.height, 3, 1);
     save_panels(options, "top_left_rule", 3,
-                {draw_rule(TieRule::nobody, "$E$ > 0: gaps", size, options.height),
-                 draw_rule(TieRule::everybody, "$E$ ≥ 0: twice", size, options.height),
-                 draw_rule(TieRule::top_left, "top-left: once", size, options.height)});
+                as_drawings({draw_rule(TieRule::nobody, "$E$ > 0: gaps", size, options.height),
+                             draw_rule(TieRule::everybody, "$E$ ≥ 0: twice", size, options.height),
+                             draw_rule(TieRule::top_left, "top-left: once", size, options.height)}));
 }
 
 }  // namespace

@@ -69,15 +69,18 @@ Image color_of_visible(const raster::VisibilityBuffer& buffer) {
 }
 
 void draw(const Options& options) {
-    const raster::VisibilityBuffer buffer = draw_with_depth({options.width, options.height});
-    save(options, "z_buffer", color_of_visible(buffer));
-    save(options, "depth", grey_image(buffer.width, buffer.height, buffer.depth));
+    // The buffers hold n x n samples a pixel; a pixel of the pictures is their mean.
+    const int n = options.samples;
+    const raster::VisibilityBuffer buffer = draw_with_depth({n * options.width, n * options.height});
+    save(options, "z_buffer", box_average(color_of_visible(buffer), n));
+    save(options, "depth", box_average(grey_image(buffer.width, buffer.height, buffer.depth), n));
 
-    const glm::ivec2 size = panel_size(options.width, options.height, 2, 2);
+    const glm::ivec2 size = n * panel_size(options.width, options.height, 2, 2);
     const raster::Viewport small{size.x, size.y};
     const raster::VisibilityBuffer small_buffer = draw_with_depth(small);
-    const std::vector<Image> images = {paint_in_order(small, 0, 1), paint_in_order(small, 1, 0),
-                                       color_of_visible(small_buffer), grey_image(size.x, size.y, small_buffer.depth)};
+    std::vector<Image> images = {paint_in_order(small, 0, 1), paint_in_order(small, 1, 0),
+                                 color_of_visible(small_buffer), grey_image(size.x, size.y, small_buffer.depth)};
+    for (Image& image : images) image = box_average(image, n);
     save_panels(options, "orders", 2,
                 with_captions(images, {"blue drawn last", "orange drawn last", "z-buffer", "its depths"}));
 }

@@ -115,10 +115,10 @@ void draw(const Options& options) {
     draw_disc(window, window_position(window, clip * world_from_object() * glm::vec4(kCorner, 1.0f)),
               0.024f * float(size.y), kYellow);
     save_panels(options, "spaces", 2,
-                {draw_space(size, "world", glm::mat4(1.0f), outside, &kCamera.position, 1.0f),
-                 draw_space(size, "view", view, beside, &origin, 1.0f),
-                 draw_space(size, "clip / $w$", clip, close, nullptr, -1.0f),
-                 {window, "window"}});
+                as_drawings({draw_space(size, "world", glm::mat4(1.0f), outside, &kCamera.position, 1.0f),
+                             draw_space(size, "view", view, beside, &origin, 1.0f),
+                             draw_space(size, "clip / $w$", clip, close, nullptr, -1.0f),
+                             {window, "window"}}));
     draw_table(options);
 }
 

@@ -41,16 +41,20 @@ Image draw_floor(glm::ivec2 size, int detail, AttributeInterpolation interpolati
 }
 
 void draw(const Options& options) {
+    const auto floor_of = [&](glm::ivec2 panel, int detail, AttributeInterpolation interpolation) {
+        return averaged(panel, options.samples,
+                        [&](glm::ivec2 size) { return draw_floor(size, detail, interpolation); });
+    };
     const glm::ivec2 half = panel_size(options.width, options.height, 2, 1);
-    const Image affine = draw_floor(half, 1, AttributeInterpolation::affine);
-    const Image perspective = draw_floor(half, 1, AttributeInterpolation::perspective);
+    const Image affine = floor_of(half, 1, AttributeInterpolation::affine);
+    const Image perspective = floor_of(half, 1, AttributeInterpolation::perspective);
     save_panels(options, "compare", 2, with_captions({affine, perspective}, {"affine", "perspective"}));
 
     // Smaller triangles hide the error of affine interpolation: so did the first game consoles.
     const glm::ivec2 quarter = panel_size(options.width, options.height, 2, 2);
     std::vector<Panel> panels;
     for (const int detail : {1, 2, 4, 16}) {
-        panels.emplace_back(draw_floor(quarter, detail, AttributeInterpolation::affine),
+        panels.emplace_back(floor_of(quarter, detail, AttributeInterpolation::affine),
                             std::to_string(2 * detail * detail) + " triangles");
     }
     save_panels(options, "affine_subdivided", 2, panels);

@@ -122,11 +122,13 @@ Image draw_guard_band(glm::ivec2 size) {
 
 void draw(const Options& options) {
     const glm::ivec2 quarter = panel_size(options.width, options.height, 2, 2);
-    const std::vector<Image> images = {draw_from_outside(quarter), draw_from_camera(quarter, true),
-                                       draw_guard_band(quarter), draw_from_camera(quarter, false)};
-    save_panels(
-        options, "clipping", 2,
-        with_captions(images, {"cut at the near plane", "the camera's view", "guard band", "not cut: upside down"}));
+    const auto drawn = [&](auto draw_one) { return averaged(quarter, options.samples, draw_one); };
+    const std::vector<Image> images = {
+        drawn(draw_from_outside), drawn([](glm::ivec2 size) { return draw_from_camera(size, true); }),
+        drawn(draw_guard_band), drawn([](glm::ivec2 size) { return draw_from_camera(size, false); })};
+    save_panels(options, "clipping", 2,
+                as_drawings(with_captions(
+                    images, {"cut at the near plane", "the camera's view", "guard band", "not cut: upside down"})));
 }
 
 }  // namespace

@@ -1,6 +1,7 @@
 // 15_mesh: corners, triangles that share them, and a normal at each corner: flat or smooth.
 // Page docs/15_mesh.md | After 12_camera | New: Mesh, load_mesh_file(), make_smooth_normals(), make_flat_normals()
 // Break at: load_mesh_file | Look at: mesh.positions, mesh.indices, mesh.normals | Try: detail 2 for the teapot
+#include <algorithm>
 #include <cstdio>
 
 #include <glm/ext/matrix_transform.hpp>
@@ -31,14 +32,14 @@ FrameGeometry frame_of(const raster::Mesh& mesh, const glm::mat4& world_from_obj
     return make_frame_geometry({instance}, clip, {size.x, size.y}, {.normal_world = true});
 }
 
-/// Hidden lines vanish by themselves: an edge is where neighbouring pixels see different triangles.
-Image draw_wireframe(const FrameGeometry& frame) {
+/// Hidden lines vanish by themselves: an edge is where samples `line` apart, side by side, see different triangles.
+Image draw_wireframe(const FrameGeometry& frame, int line) {
     const raster::VisibilityBuffer buffer = rasterize_tiled(frame.streams, frame.triangles, frame.viewport);
     Image image = make_board(buffer.width, buffer.height);
-    for (int y = 0; y + 1 < buffer.height; ++y) {
-        for (int x = 0; x + 1 < buffer.width; ++x) {
+    for (int y = 0; y + line < buffer.height; ++y) {
+        for (int x = 0; x + line < buffer.width; ++x) {
             const std::uint32_t* here = &buffer.triangle[y * buffer.width + x];
-            const bool edge = here[0] != here[1] || here[0] != here[buffer.width];
+            const bool edge = here[0] != here[line] || here[0] != here[line * buffer.width];
             if (here[0] != raster::kNoTriangle) image.set_rgb(x, y, kSlate);
             if (edge) image.set_rgb(x, y, kChalk);
         }
@@ -62,13 +63,21 @@ Image draw_normals(const FrameGeometry& frame) {
     return image;
 }
 
+/// How many samples wide a line is; a pixel has n x n.
+int line_width(const Options& options) {
+    return options.samples * std::max(1, options.height / 540);
+}
+
 /// Wireframe, flat and smooth normals of a mesh.
-std::vector<Image> draw_mesh(raster::Mesh mesh, const glm::mat4& world_from_object, glm::ivec2 size) {
-    std::vector<Image> panels = {draw_wireframe(frame_of(mesh, world_from_object, size))};
+std::vector<Image> draw_mesh(raster::Mesh mesh, const glm::mat4& world_from_object, const Options& options) {
+    const int n = options.samples;
+    const glm::ivec2 size = n * panel_size(options.width, options.height, 3, 2);
+    const auto frame = [&] { return frame_of(mesh, world_from_object, size); };
+    std::vector<Image> panels = {box_average(draw_wireframe(frame(), line_width(options)), n)};
     make_flat_normals(mesh);
-    panels.push_back(draw_normals(frame_of(mesh, world_from_object, size)));
+    panels.push_back(box_average(draw_normals(frame()), n));
     make_smooth_normals(mesh, 60.0f);
-    panels.push_back(draw_normals(frame_of(mesh, world_from_object, size)));
+    panels.push_back(box_average(draw_normals(frame()), n));
     return panels;
 }
 
@@ -78,17 +87,19 @@ void draw(const Options& options) {
     std::printf("gem: %zu corners, %u triangles\n", gem.positions.size(), gem.triangle_count());
     std::printf("teapot: %zu corners, %u triangles\n", teapot.positions.size(), teapot.triangle_count());
 
-    const glm::ivec2 size = panel_size(options.width, options.height, 3, 2);
     const glm::mat4 gem_in_world = glm::scale(glm::mat4(1.0f), glm::vec3(0.3f));
     const glm::mat4 teapot_in_world =
         glm::translate(glm::mat4(1.0f), {0.0f, -0.5f, 0.0f}) * glm::scale(glm::mat4(1.0f), glm::vec3(0.95f));
-    std::vector<Image> images = draw_mesh(gem, gem_in_world, size);
-    const std::vector<Image> more = draw_mesh(teapot, teapot_in_world, size);
+    std::vector<Image> images = draw_mesh(gem, gem_in_world, options);
+    const std::vector<Image> more = draw_mesh(teapot, teapot_in_world, options);
     images.insert(images.end(), more.begin(), more.end());
     save_panels(options, "normals", 3,
                 with_captions(images, {"triangles", "flat normals", "smooth normals", "triangles", "flat normals",
                                        "smooth normals"}));
-    save(options, "wireframe", draw_wireframe(frame_of(teapot, teapot_in_world, {options.width, options.height})));
+    const Image wireframe = averaged({options.width, options.height}, options.samples, [&](glm::ivec2 size) {
+        return draw_wireframe(frame_of(teapot, teapot_in_world, size), line_width(options));
+    });
+    save(options, "wireframe", wireframe);
 }
 
 }  // namespace

@@ -1,6 +1,8 @@
 // 30_fog: linear, exponential and squared exponential fog on a row of balls, and the three curves.
 // Page docs/30_fog.md | After 22_phong_terms | New: Fog, fog_linear(), fog_exp(), fog_exp2(), mix_fog()
 // Break at: fog_exp | Look at: z_p, optical_depth | Try: density 0.3, start 8
+#include <cstdio>
+
 #include "examples/lit_scene.hpp"
 #include "examples/plots.hpp"
 #include "lighting/fog.hpp"
@@ -51,8 +53,25 @@ Plot curves() {
     plot.series = {curve("linear", kDistance, linear), curve("exp", kDistance, exp), curve("exp2", kDistance, exp2)};
     plot.x_range = kDistance;
     plot.y_range = {0.0, 1.0};
-    plot.key = "inside top right";
+    plot.key = "outside top center horizontal";
     return plot;
+}
+
+/// Things at the far plane are there or not at once; in fog that ends at it they come slowly.
+std::vector<Panel> far_planes(glm::ivec2 size) {
+    std::vector<Panel> panels;
+    for (const lighting::FogMode mode : {lighting::FogMode::none, lighting::FogMode::linear}) {
+        const std::string fog = mode == lighting::FogMode::none ? "no fog" : "fog";
+        for (const float far : {12.5f, 11.0f}) {
+            scene::Scene scene = make_scene(size, mode);
+            scene.camera.far = far;
+            scene.fog.end = 11.0f;
+            char caption[64];
+            std::snprintf(caption, sizeof caption, "%s, far plane at %g", fog.c_str(), static_cast<double>(far));
+            panels.push_back(captioned(scene, caption));
+        }
+    }
+    return panels;
 }
 
 void draw(const Options& options) {
@@ -62,6 +81,7 @@ void draw(const Options& options) {
         captioned(make_scene(size, FogMode::linear), "linear"), captioned(make_scene(size, FogMode::exp), "exp"),
         captioned(make_scene(size, FogMode::exp2), "exp2"), plot_panel(options, "curves", "", curves(), size)};
     save_panels(options, "fog", 2, panels);
+    save_panels(options, "far_plane", 2, far_planes(size));
 }
 
 }  // namespace

@@ -6,6 +6,7 @@
 
 #include <glm/trigonometric.hpp>
 
+#include "examples/fresnel_plots.hpp"
 #include "examples/plot_legend.hpp"
 #include "examples/plots.hpp"
 #include "tools/measure/fresnel_methods.hpp"
@@ -118,8 +119,9 @@ void draw(const Options& options) {
                  panel("as2s3", "As₂S₃, $n$ = 2.04", dielectric_plot(2.04f)),
                  panel("germanium", "germanium, $n$ = 4.01", dielectric_plot(4.01f)),
                  panel("platinum", "platinum", metal_plot("platinum")), panel("gold", "gold", metal_plot("gold")),
-                 plot_legend(size, options.height, {"$s$;  red", "$p$;  green", "mean of both;  blue", "Schlick"})});
+                 plot_legend(options, size, {"$s$;  red", "$p$;  green", "mean of both;  blue", "Schlick"})});
     save_plot(options, "methods", "", methods_plot());
+    draw_fresnel_by_index(options);
     print_errors();
 }
 

@@ -7,6 +7,7 @@
 #include <glm/geometric.hpp>
 #include <glm/trigonometric.hpp>
 
+#include "examples/geometry_drawings.hpp"
 #include "examples/paint.hpp"
 #include "examples/plots.hpp"
 #include "lighting/cook_torrance.hpp"
@@ -96,7 +97,7 @@ Plot geometry_plot() {
     Plot plot = empty_plot("angle of light and view [degrees]", "$G$");
     plot.x_range = {0.0, 90.0};
     plot.y_range = {0.0, 1.0};
-    plot.key = "inside left bottom Left reverse";
+    plot.key = "outside top center horizontal";
     const auto add = [&](const char* name, Geometry geometry) {
         plot.series.push_back(curve(name, *plot.x_range, [=](double degrees) {
             const float c = static_cast<float>(std::cos(glm::radians(degrees)));
@@ -122,6 +123,7 @@ void draw(const Options& options) {
     save_panels(options, "curves", 2,
                 {plot_panel(options, "distributions", "$α$ = 0.3", distribution_plot(), half),
                  plot_panel(options, "geometry", "roughness 0.5", geometry_plot(), half)});
+    save_panels(options, "shadowing_and_masking", 3, shadowing_and_masking(options));
 }
 
 }  // namespace

@@ -66,10 +66,13 @@ void draw(const Options& options) {
     render_and_save(options, "balls", balls({options.width, options.height}));
 
     const glm::ivec2 row = panel_size(options.width, options.height, 1, 3);
+    const auto furnace_row = [&](Geometry geometry, EnergyCompensation compensation, const char* caption) {
+        return Panel(render_outlined(options, furnace(row, geometry, compensation)), caption);
+    };
     const std::vector<Panel> rows = {
-        captioned(furnace(row, Geometry::schlick_ggx, EnergyCompensation::none), "Schlick-GGX"),
-        captioned(furnace(row, Geometry::smith_correlated, EnergyCompensation::none), "Smith"),
-        captioned(furnace(row, Geometry::smith_correlated, EnergyCompensation::kulla_conty), "+ Kulla-Conty")};
+        furnace_row(Geometry::schlick_ggx, EnergyCompensation::none, "Schlick-GGX"),
+        furnace_row(Geometry::smith_correlated, EnergyCompensation::none, "Smith"),
+        furnace_row(Geometry::smith_correlated, EnergyCompensation::kulla_conty, "+ Kulla-Conty")};
     save_panels(options, "furnace", 1, rows);
 }
 

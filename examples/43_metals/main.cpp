@@ -47,10 +47,12 @@ scene::Scene metals(glm::ivec2 size, SpectrumUse spectrum) {
 /// F0 of each metal as a flat colour: the left half from the whole spectrum, the right half from three wavelengths.
 Panel swatches(glm::ivec2 size, int picture_height) {
     Panel panel(make_board(size.x, size.y));
+    panel.is_drawing = true;
     const int scale = text_scale(picture_height), step = size.x / 5, top = 14 * scale;
     for (int i = 0; i < 5; ++i) {
         const lighting::MeasuredMaterial& metal = *lighting::find_measured(kMetals[static_cast<std::size_t>(i)]);
         const int left = i * step + step / 10, half = step * 2 / 5, height = size.y - top - 4 * scale;
+        panel.pictures.push_back({left, top, 2 * half, height});
         fill_rectangle(panel.image, left, top, half, height, lighting::spectral_fresnel(metal, 1.0f));
         const lighting::ThreeChannelIndex three = lighting::three_channel_index(metal);
         fill_rectangle(panel.image, left + half, top, half, height, lighting::f0_from_index(three.n, three.k));
@@ -113,7 +115,8 @@ void print_colors() {
 
 void draw(const Options& options) {
     const glm::ivec2 row = panel_size(options.width, options.height, 1, 3);
-    Image full = scene::render(metals(row, SpectrumUse::full)), three = scene::render(metals(row, SpectrumUse::three));
+    Image full = render_outlined(options, metals(row, SpectrumUse::full));
+    Image three = render_outlined(options, metals(row, SpectrumUse::three));
     for (Image* image : {&full, &three}) {
         for (float& value : image->values) value *= kExposure;
     }

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cstdio>
 
+#include "examples/geometry_drawings.hpp"
 #include "examples/plots.hpp"
 #include "examples/sphere_views.hpp"
 #include "examples/stopwatch.hpp"
@@ -36,8 +37,6 @@ void print_four_ways(const CubeMap& radiance) {
                     shown.y, shown.z, shown.w);
     }
 }
-
-// ------------------------------------------------------------------------------------------------ pictures
 
 /// L or E / pi as a display shows it, in linear RGB.
 Image shown(int width, const CubeMap& map, float scale) {
@@ -125,11 +124,11 @@ void draw(const Options& options) {
     const CubeMap radiance = lighting::cube_from_sky(kSky, 64);
     print_four_ways(radiance);
     draw_maps(options, radiance);
+    save_panels(options, "double_sum", 2, double_sum_directions(options, kN1, kN2));
     std::printf("\nerror in percent of the mean irradiance, with 16, 64, 256, 1024, 4096 samples\n");
     std::printf("%-8s %6s %6s    %-37s %s\n", "", "SH9", "most", "double sum", "cosine-weighted");
     const Panel gradient = error_plot(options, "gradient", lighting::Sky::gradient);
-    const Panel sunset = error_plot(options, "sunset", lighting::Sky::sunset);
-    save_panels(options, "error", 2, {gradient, sunset});
+    save_panels(options, "error", 2, {gradient, error_plot(options, "sunset", lighting::Sky::sunset)});
     draw_times(options, radiance);
 }
 

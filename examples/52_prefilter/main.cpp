@@ -107,7 +107,7 @@ Panel error_plot(const Options& options, const char* file, const char* name, flo
     Plot plot = empty_plot("samples", "mean error [%]", true, true);
     plot.x_range = {10.0, 10000.0};
     plot.y_range = {0.1, 100.0};
-    plot.key = "inside right top";
+    plot.key = "outside top center horizontal";
     for (const bool mips : {false, true}) {
         Series errors{mips ? "from mips" : "plain", {}};
         std::printf("%-18s %-8s", name, mips ? "mips" : "plain");

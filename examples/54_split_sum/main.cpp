@@ -17,12 +17,13 @@ using namespace kreda::tools;
 namespace {
 
 constexpr std::array<float, 5> kRoughness = {0.1f, 0.2f, 0.4f, 0.7f, 1.0f};
-constexpr int kSamples = 512;        ///< a pixel of the integral
-constexpr int kFloorSamples = 4096;  ///< the sun is small: more
+constexpr int kSamples = 512;                                  ///< a pixel of the integral
+constexpr int kFloorSamples = 4096;                            ///< the sun is small: more
+constexpr int kFewerFloorSamples = 1024, kFewerSamples = 256;  ///< where the pictures have more pixels
 constexpr float kGain = 4.0f;
 
 /// Roughness grows to the right; gold above, plastic below.
-scene::Scene balls(glm::ivec2 size) {
+scene::Scene balls(glm::ivec2 size, int samples) {
     scene::Scene scene = empty_scene(size);
     scene.ambient = glm::vec3(0.0f);
     scene.image.samples = 1;
@@ -32,7 +33,7 @@ scene::Scene balls(glm::ivec2 size) {
     scene.camera.height = 6.2f;
     scene.environment.on = true;
     scene.environment.sky = lighting::Sky::studio;
-    scene.environment.samples = kSamples;
+    scene.environment.samples = samples;
     for (int i = 0; i < 10; ++i) {
         const glm::vec3 place(2.2f * static_cast<float>(i % 5 - 2), i < 5 ? 1.3f : -1.0f, 0.0f);
         const glm::vec3 albedo = i < 5 ? glm::vec3(1.0f, 0.73f, 0.36f) : srgb(0xb03a2e);
@@ -47,7 +48,6 @@ Plot error_plot(const SpecularPicture& split, const SpecularPicture& exact) {
     Plot plot = empty_plot("$n·v$", "error [%]");
     plot.x_range = {0.0, 1.0};
     plot.y_range = {0.0, 100.0};
-    plot.key = "inside right top";
     std::printf("roughness  error %%   by n.v: 0..0.1 to 0.9..1\n");
     for (std::size_t r = 0; r < kRoughness.size(); ++r) {
         std::printf("%9g %8.2f  ", kRoughness[r], error_percent(split, exact, kRoughness[r], 0.1f, 0.95f));
@@ -68,9 +68,10 @@ Plot error_plot(const SpecularPicture& split, const SpecularPicture& exact) {
 
 void draw_balls(const Options& options) {
     const glm::ivec2 size = panel_size(options.width, options.height, 2, 2);
-    const scene::Scene scene = balls(size);
+    const int samples = options.draft ? kSamples : kFewerSamples;
+    const scene::Scene scene = balls(size, samples);
     scene::RenderBuffers buffers;
-    const SpecularPicture exact = draw_specular(with_reference(scene, kSamples), buffers);
+    const SpecularPicture exact = draw_specular(with_reference(scene, samples), buffers);
     const SpecularPicture split = draw_specular(scene, buffers);
     const Image left = shown(scene, split.film), right = shown(scene, exact.film);
     const Image difference = difference_picture(left, right, kGain);
@@ -81,12 +82,16 @@ void draw_balls(const Options& options) {
                  plot_panel(options, "error", "by roughness", error_plot(split, exact), size)});
 }
 
-void draw_floor(const Options& options) {
+/// The integral takes long: at most 960 x 540 pixels of it.
+void draw_floor(Options options) {
+    options.width = std::min(options.width, 960);
+    options.height = std::min(options.height, 540);
+    const int samples = options.draft ? kFloorSamples : kFewerFloorSamples;
     const glm::ivec2 size = panel_size(options.width, options.height, 2, 1);
     scene::Scene scene = read_scene(options, KREDA_EXAMPLE_FOLDER "/floor.toml");
     scene.image.width = size.x;
     scene.image.height = size.y;
-    const Image left = shown(scene, render(scene)), right = shown(scene, render(with_reference(scene, kFloorSamples)));
+    const Image left = shown(scene, render(scene)), right = shown(scene, render(with_reference(scene, samples)));
     save_panels(options, "floor", 2, with_captions({left, right}, {"split sum", "integral"}));
 }
 

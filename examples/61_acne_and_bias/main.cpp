@@ -10,8 +10,8 @@ using shadows::ShadowBias;
 
 namespace {
 
-scene::Scene make_scene(glm::ivec2 size, ShadowBias bias, float constant_bias) {
-    scene::Scene scene = sunny_table_closely(size);
+scene::Scene make_scene(glm::ivec2 size, int samples, ShadowBias bias, float constant_bias) {
+    scene::Scene scene = sunny_table_closely(size, samples);
     scene.shadow.size = 256;
     scene.shadow.bias = bias;
     scene.shadow.constant_bias = constant_bias;
@@ -21,7 +21,7 @@ scene::Scene make_scene(glm::ivec2 size, ShadowBias bias, float constant_bias) {
 void draw(const Options& options) {
     const glm::ivec2 size = panel_size(options.width, options.height, 2, 2);
     const auto panel = [&](ShadowBias bias, float constant_bias, const char* caption) {
-        return captioned(make_scene(size, bias, constant_bias), caption);
+        return captioned(make_scene(size, options.samples, bias, constant_bias), caption);
     };
     save_panels(
         options, "bias", 2,

@@ -10,8 +10,8 @@ using shadows::ShadowFilter;
 
 namespace {
 
-scene::Scene make_scene(glm::ivec2 size, int texels, ShadowFilter filter, int radius) {
-    scene::Scene scene = sunny_table_closely(size);
+scene::Scene make_scene(glm::ivec2 size, int samples, int texels, ShadowFilter filter, int radius) {
+    scene::Scene scene = sunny_table_closely(size, samples);
     scene.shadow.size = texels;
     scene.shadow.filter = filter;
     scene.shadow.radius = radius;
@@ -21,7 +21,7 @@ scene::Scene make_scene(glm::ivec2 size, int texels, ShadowFilter filter, int ra
 void draw(const Options& options) {
     const glm::ivec2 size = panel_size(options.width, options.height, 2, 2);
     const auto panel = [&](int texels, ShadowFilter filter, int radius, const char* caption) {
-        return captioned(make_scene(size, texels, filter, radius), caption);
+        return captioned(make_scene(size, options.samples, texels, filter, radius), caption);
     };
     save_panels(
         options, "pcf", 2,

@@ -4,6 +4,7 @@
 #include <algorithm>
 
 #include "examples/example.hpp"
+#include "examples/geometry_drawings.hpp"
 #include "examples/table_scene.hpp"
 #include "scene/render/render.hpp"
 
@@ -12,16 +13,16 @@ using namespace kreda::examples;
 
 namespace {
 
-scene::Scene make_scene(glm::ivec2 size, float light_size) {
-    scene::Scene scene = sunny_table(size);
+scene::Scene make_scene(glm::ivec2 size, int samples, float light_size) {
+    scene::Scene scene = sunny_table(size, samples);
     scene.shadow.filter = light_size > 0.0f ? shadows::ShadowFilter::pcss : shadows::ShadowFilter::none;
     scene.shadow.light_size = light_size;
     return scene;
 }
 
 /// The width of the penumbra where there is one: the wider, the brighter.
-Image penumbra_panel(glm::ivec2 size, float light_size) {
-    const scene::Scene scene = make_scene(size, light_size);
+Image penumbra_panel(glm::ivec2 size, int samples, float light_size) {
+    const scene::Scene scene = make_scene(size, samples, light_size);
     scene::RenderBuffers buffers;
     render(scene, make_plan(scene, {scene::find_view("penumbra")}), buffers);
     auto values = buffers.views[0].values;
@@ -31,12 +32,13 @@ Image penumbra_panel(glm::ivec2 size, float light_size) {
 
 void draw(const Options& options) {
     const glm::ivec2 size = panel_size(options.width, options.height, 2, 2);
-    const Image penumbra = penumbra_panel(size, 0.2f);
+    const Image penumbra = penumbra_panel(size, options.samples, 0.2f);
     save_panels(options, "soft", 2,
-                {captioned(make_scene(size, 0.0f), "no width"),
-                 captioned(make_scene(size, 0.05f), "width 0.05"),
-                 captioned(make_scene(size, 0.2f), "width 0.2"),
+                {captioned(make_scene(size, options.samples, 0.0f), "no width"),
+                 captioned(make_scene(size, options.samples, 0.05f), "width 0.05"),
+                 captioned(make_scene(size, options.samples, 0.2f), "width 0.2"),
                  {penumbra, "width of the penumbra"}});
+    save_panel(options, "geometry", penumbra_geometry({options.width, options.height}));
 }
 
 }  // namespace

@@ -91,7 +91,8 @@ void draw(const Options& options) {
     scene.shadow.method = shadows::ShadowMethod::planar;
     render_and_save(options, "planar", scene);
 
-    const Stage stage = make_stage(panel_size(options.width, options.height, 3, 2));
+    const int n = options.samples;  // shadows are drawn by hand on n x n samples a pixel
+    const Stage stage = make_stage(n * panel_size(options.width, options.height, 3, 2));
     const auto on_table = [&](const auto&, int, int, int i) { return stage.is_table[i]; };
     const auto anywhere = [](const auto&, int, int, int) { return true; };
     const auto nearer = [&](const shadows::ProjectedTriangle& t, int x, int y, int i) {
@@ -99,9 +100,10 @@ void draw(const Options& options) {
             depth_plane(t.a, t.b, t.c, raster::edge_function(t.a.x, t.a.y, t.b.x, t.b.y, t.c.x, t.c.y));
         return depth_at(plane, depth_of_row(plane, y), x) < stage.visible.depth[i];
     };
-    const std::vector<Image> images = {darken(stage, true, false, on_table), darken(stage, false, false, on_table),
-                                       darken(stage, true, false, anywhere), darken(stage, true, false, nearer),
-                                       darken(stage, true, true, on_table)};
+    std::vector<Image> images = {darken(stage, true, false, on_table), darken(stage, false, false, on_table),
+                                 darken(stage, true, false, anywhere), darken(stage, true, false, nearer),
+                                 darken(stage, true, true, on_table)};
+    for (Image& image : images) image = box_average(image, n);
     save_panels(options, "mistakes", 3,
                 with_captions(images, {"right", "not clipped", "off the table", "z-fighting", "darkened twice"}));
 }

@@ -75,16 +75,17 @@ void draw_edge(Image& image, const glm::vec4& a, const glm::vec4& b, float width
 Image silhouette_picture(const Stage& stage) {
     Image image = stage.buffers.film;
     for (float& value : image.values) value *= 0.5f;
+    const float line = std::max(1.0f, static_cast<float>(image.height) / 178.0f);
     for (const shadows::VolumeCaster& caster : stage.casters) {
         const shadows::VolumeShape shape = make_shadow_volume(caster.occluder, homogeneous(stage.light));
         for (const shadows::SilhouetteEdge& edge : shape.sides) {
             const glm::vec3 corner = caster.occluder.positions[edge.from];
             const glm::vec4 away(corner + 0.8f * (corner - stage.light.position), 1.0f);
-            draw_edge(image, caster.position_clip[edge.from], stage.buffers.visible.clip_from_world * away, 0.6f,
+            draw_edge(image, caster.position_clip[edge.from], stage.buffers.visible.clip_from_world * away, 0.6f * line,
                       kDust);
         }
         for (const shadows::SilhouetteEdge& edge : shape.sides) {
-            draw_edge(image, caster.position_clip[edge.from], caster.position_clip[edge.to], 2.0f, kYellow);
+            draw_edge(image, caster.position_clip[edge.from], caster.position_clip[edge.to], 2.0f * line, kYellow);
         }
     }
     return image;
@@ -101,17 +102,19 @@ scene::Scene from_inside(glm::ivec2 size) {
 }
 
 void draw(const Options& options) {
-    const glm::ivec2 size = panel_size(options.width, options.height, 2, 2);
+    const int n = options.samples;  // every sample is counted; a pixel is the mean of n x n
+    const glm::ivec2 size = n * panel_size(options.width, options.height, 2, 2);
     const Stage stage = make_stage(table_scene(size));
     const Stage inside = make_stage(from_inside(size));
-    const std::vector<Image> images = {silhouette_picture(stage), counter_picture(stage, count(stage, false)),
-                                       counter_picture(inside, count(inside, true)),
-                                       counter_picture(inside, count(inside, false))};
+    std::vector<Image> images = {silhouette_picture(stage), counter_picture(stage, count(stage, false)),
+                                 counter_picture(inside, count(inside, true)),
+                                 counter_picture(inside, count(inside, false))};
+    for (Image& image : images) image = box_average(image, n);
     save_panels(options, "steps", 2,
                 with_captions(images, {"silhouettes", "counted", "inside: before", "inside: behind"}));
-    const Stage whole = make_stage(table_scene({options.width, options.height}));
-    save(options, "counter", counter_picture(whole, count(whole, false)));
-    save(options, "shadow", whole.buffers.film);
+    const Stage whole = make_stage(table_scene(n * glm::ivec2(options.width, options.height)));
+    save(options, "counter", box_average(counter_picture(whole, count(whole, false)), n));
+    save(options, "shadow", box_average(whole.buffers.film, n));
 }
 
 }  // namespace

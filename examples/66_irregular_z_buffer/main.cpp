@@ -71,12 +71,13 @@ Image lamp_picture(const Few& few, glm::ivec2 size) {
     const shadows::LightGrid& grid = fullest(few.grids);
     Image image = make_board(size.x, size.y);
     const glm::vec2 cell(static_cast<float>(size.x) / grid.columns, static_cast<float>(size.y) / grid.rows);
-    for (int c = 1; c < grid.columns; ++c) draw_line(image, {c * cell.x, 0}, {c * cell.x, size.y}, 0.5f, kSlate);
-    for (int r = 1; r < grid.rows; ++r) draw_line(image, {0, r * cell.y}, {size.x, r * cell.y}, 0.5f, kSlate);
+    const float line = std::max(1.0f, static_cast<float>(size.y) / 360.0f);
+    for (int c = 1; c < grid.columns; ++c) draw_line(image, {c * cell.x, 0}, {c * cell.x, size.y}, 0.5f * line, kSlate);
+    for (int r = 1; r < grid.rows; ++r) draw_line(image, {0, r * cell.y}, {size.x, r * cell.y}, 0.5f * line, kSlate);
     for (const shadows::LightTriangle& t : few.triangles) {
         for (int i = 0; i < t.corner_count; ++i) {
             const glm::vec2 a(t.corner[i]), b(t.corner[(i + 1) % t.corner_count]);
-            draw_line(image, a * cell, b * cell, 0.3f, kGreen);
+            draw_line(image, a * cell, b * cell, 0.3f * line, kGreen);
         }
     }
     for (const shadows::LightPoint& point : grid.points) {
@@ -86,8 +87,8 @@ Image lamp_picture(const Few& few, glm::ivec2 size) {
 }
 
 /// One corner of the table with its shadows.
-Image close_up(glm::ivec2 size, shadows::ShadowMethod method, int map_size) {
-    scene::Scene scene = table_scene(size);
+Image close_up(glm::ivec2 size, int samples, shadows::ShadowMethod method, int map_size) {
+    scene::Scene scene = table_scene(size, samples);
     scene.shadow.method = method;
     scene.shadow.size = map_size;
     scene.camera.target = {-0.75f, 0.05f, 0.1f};
@@ -100,10 +101,11 @@ void draw(const Options& options) {
     const int pixel = std::max(1, size.x / 52);
     const Few few = draw_few({size.x / pixel, size.y / pixel});
     save_panels(options, "samples", 2,
-                {{camera_picture(few, size, pixel), "from the camera"}, {lamp_picture(few, size), "from the lamp"}});
+                as_drawings({{camera_picture(few, size, pixel), "from the camera"},
+                             {lamp_picture(few, size), "from the lamp"}}));
     save_panels(options, "edges", 2,
-                {{close_up(size, shadows::ShadowMethod::map, 128), "map, 6 × 128 × 128"},
-                 {close_up(size, shadows::ShadowMethod::irregular, 128), "irregular"}});
+                {{close_up(size, options.samples, shadows::ShadowMethod::map, 128), "map, 6 × 128 × 128"},
+                 {close_up(size, options.samples, shadows::ShadowMethod::irregular, 128), "irregular"}});
 }
 
 }  // namespace

@@ -62,7 +62,9 @@ void draw(const Options& options) {
         {"map 256", ShadowMethod::map, 256},   {"map 1024", ShadowMethod::map, 1024},
         {"map 2048", ShadowMethod::map, 2048}, {"planar", ShadowMethod::planar},
         {"volumes", ShadowMethod::volume},     {"irregular", ShadowMethod::irregular}};
-    const glm::ivec2 size = panel_size(options.width, options.height, 3, 2);
+    const glm::ivec2 small = measured_size(options);  // wrong pixels are shown as squares of a larger picture
+    const glm::ivec2 size = panel_size(small.x, small.y, 3, 2);
+    const int pixel = options.height / small.y;
     const auto exact = ask(size, {"exact", ShadowMethod::exact}).factor;
     const shadows::VisibleSampleMemory visible = ask(size, candidates.back()).visible;
     std::printf("method       wrong %%   acne %%   leak %%  edge off/px    rmse  flicker %%       ms\n");
@@ -74,7 +76,7 @@ void draw(const Options& options) {
         char caption[40];
         std::snprintf(caption, sizeof caption, "%s %.2f %%", candidate.name.c_str(),
                       100.0 * error.misclassified_share());
-        panels.emplace_back(error_picture(visible.samples(), exact, answer.factor), caption);
+        panels.emplace_back(enlarge(error_picture(visible.samples(), exact, answer.factor), pixel), caption);
     }
     save_panels(options, "errors", 3, panels);
     scene::Scene scene = crowded_table({options.width, options.height}, {"exact", ShadowMethod::exact}, 0.0f);

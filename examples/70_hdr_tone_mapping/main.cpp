@@ -57,7 +57,7 @@ Plot curves() {
     Plot plot = empty_plot("radiance", "shown", true);
     plot.x_range = {0.1, 100.0};
     plot.y_range = {0.0, 1.05};
-    plot.key = "inside right bottom";
+    plot.key = "outside top center horizontal";
     const auto add = [&](const char* name, auto shown) {
         plot.series.push_back(curve(
             name, *plot.x_range, [=](double L) { return shown(static_cast<float>(L)); }, true));

@@ -68,7 +68,7 @@ const scene::PlannedPass* find_pass(const scene::RenderPlan& plan, const std::st
 /// a pass runs at every point that it lights counts with it.
 void draw_cell(Image& picture, const scene::RenderPlan& plan, const scene::PlannedPass* pass, int left, int middle,
                int width, int height) {
-    if (!pass) return draw_disc(picture, {left + 2, middle}, 1.2f, kSlate);
+    if (!pass) return draw_disc(picture, {left + 2, middle}, std::max(1.2f, 0.12f * height), kSlate);
     const double operations = operations_of(plan, pass->name);
     const double share = std::log10(std::max(operations, 1e3) / 1e3) / 5.0;
     const int length = std::max(3, static_cast<int>(width * std::min(share, 1.0)));
@@ -111,17 +111,17 @@ void draw_pruned(const Options& options) {
 void draw(const Options& options) {
     const int scale = text_scale(options.height), left = 100 * options.width / 320, top = options.height * 5 / 18;
     const int column = (options.width - left) / 5, row = (options.height - top) / static_cast<int>(kPasses.size());
-    const float type = caption_size(options.height);
     const std::vector<PlannedScene> scenes = five_scenes({column - 4, top - 12 * scale});
     Panel panel(make_board(options.width, options.height));
     int y = top + row / 2 + 3 * scale - row;
-    for (const std::string& pass : kPasses) panel.labels.push_back({{4 * scale, y += row}, pass, kChalk, type});
+    for (const std::string& pass : kPasses)
+        panel.labels.push_back({{4 * scale, y += row}, pass, kChalk, caption_size(options.height)});
     for (int c = 0; c < 5; ++c) {
         const auto& [name, scene] = scenes[static_cast<std::size_t>(c)];
         const scene::RenderPlan plan = make_plan(scene);
         const int x = left + c * column;
         paste(panel.image, scene::render(scene), x, 0);
-        panel.labels.push_back({{x, top - 3 * scale}, name, kYellow, type});
+        panel.labels.push_back({{x, top - 3 * scale}, name, kYellow, caption_size(options.height)});
         for (int r = 0; r < static_cast<int>(kPasses.size()); ++r) {
             draw_cell(panel.image, plan, find_pass(plan, kPasses[static_cast<std::size_t>(r)]), x,
                       top + r * row + row / 2, column - 6, row * 3 / 5);

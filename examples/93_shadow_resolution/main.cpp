@@ -77,13 +77,11 @@ Plot size_plot(const std::vector<ShadowRow>& rows) {
     }
     plot.series.push_back(curve(
         "16 / size", *plot.x_range, [](double size) { return 16.0 / size; }, true));
-    plot.key = "inside right top";
     return plot;
 }
 
 void draw(const Options& options) {
-    const std::vector<ShadowRow> rows =
-        measure_shadow_maps(sunny_table({options.width, options.height}), kLightSize, kBand);
+    const std::vector<ShadowRow> rows = measure_shadow_maps(sunny_table(measured_size(options)), kLightSize, kBand);
     print_rows(rows);
     save_panel(options, "table", table_panel(options, rows));
     save_plot(options, "size", "", size_plot(rows));

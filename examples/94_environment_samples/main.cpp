@@ -57,7 +57,6 @@ Plot needed_plot(const std::vector<Subject>& subjects) {
     Plot plot = empty_plot("$α$", "samples for a mean error of 1 %", true, true);
     plot.x_range = {0.1, 1.0};
     plot.y_range = {10.0, 100000.0};
-    plot.key = "inside left top Left reverse";
     std::printf("samples for a mean error of %g %%  %10s %8s %8s %8s\n", kWanted, "1/8", "1/4", "1/2", "alpha 1");
     for (const Subject& subject : subjects) {
         for (const bool mips : {false, true}) {

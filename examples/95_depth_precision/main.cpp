@@ -57,7 +57,6 @@ Plot steps_plot() {
     Plot plot = empty_plot("distance", "least gap", true, true);
     plot.x_range = {0.1, 1000.0};
     plot.y_range = {1e-8, 100.0};
-    plot.key = "inside left top Left reverse";
     for (const Shown& shown : kShown) {
         const auto step = [&](double z) { return raster::depth_step(shown.format, z, kNear, kFar); };
         plot.series.push_back(curve(shown.name, *plot.x_range, step, true));

@@ -1,7 +1,8 @@
 // golden_check PROGRAM GOLDEN_FOLDER PICTURE_FOLDER FAILURE_FOLDER: runs an example at a small size and looks at
 //   1. every panel that it computed: the same bytes as the golden one;
 //   2. the numbers of every plot: the same lines as the golden ones;
-//   3. where the texts stand on its pictures: inside, none over another, none too small (layout.hpp);
+//   3. where the texts stand on its pictures and plots: inside, none over another, none too small, and no curve behind
+//      a legend (layout.hpp, plot_layout.hpp);
 //   4. PICTURE_FOLDER, docs/images/NN_name: a picture of each name, for the pages.
 // Panels that differ are saved to FAILURE_FOLDER: NAME.expected.png, NAME.actual.png, NAME.difference.png. With the
 // environment variable KREDA_RENEW_GOLDEN=1 the new panels, numbers and pictures become the golden ones: look at them
@@ -15,6 +16,7 @@
 
 #include "golden.hpp"
 #include "layout.hpp"
+#include "plot_layout.hpp"
 #include "scene/files/image_file.hpp"
 #include "tools/write_file.hpp"
 
@@ -23,8 +25,9 @@ using namespace kreda;
 
 namespace {
 
-constexpr const char* kSize = "320x180";
-constexpr const char* kPageSize = "640x360";            // of the pages' pictures
+constexpr const char* kDraft = "--draft --size 320x180";
+constexpr float kHeight = 180.0f;
+constexpr const char* kPage = "--size 640x360";         // the pages' pictures
 constexpr std::uintmax_t kLargestFile = 60 * 1024;      // golden images live in the repository
 constexpr std::uintmax_t kLargestPicture = 300 * 1024;  // the pages' pictures, too
 
@@ -86,12 +89,27 @@ bool check_numbers(const Folders& at, const std::string& name) {
     return same;
 }
 
+/// The plots that the example's panels show and those that are pictures of their own; none without gnuplot.
+bool check_plots(const Folders& at) {
+    bool all = true;
+    for (const fs::directory_entry& file : fs::directory_iterator(at.made)) {
+        const std::string name = file.path().filename().string();
+        if (file.path().extension() != ".svg" || name.starts_with("measured_")) continue;
+        const tests::PlotLayout plot = tests::read_plot_layout(name, tools::bytes_of_file(file.path().string()));
+        const std::vector<std::string> faults = tests::plot_faults(plot, kHeight / 30.0f);
+        for (const std::string& fault : faults) std::cout << fault << '\n';
+        std::cout << name << ": " << plot.texts.size() << " texts, " << plot.curves.size() << " curves\n";
+        all = all && faults.empty() && !plot.texts.empty() && !plot.curves.empty();
+    }
+    return all;
+}
+
 bool check_layout(const Folders& at) {
     const auto texts = tests::read_layout((at.made / "panels/layout.txt").string());
     const std::vector<std::string> faults = tests::layout_faults(texts);
     for (const std::string& fault : faults) std::cout << fault << '\n';
     std::cout << "layout: " << texts.size() << " texts\n";
-    return faults.empty();
+    return check_plots(at) && faults.empty();
 }
 
 bool check_pictures(const Folders& at) {
@@ -104,10 +122,10 @@ bool check_pictures(const Folders& at) {
     return all;
 }
 
-bool draw(const Folders& at, const char* size) {
+bool draw(const Folders& at, const std::string& how) {
     fs::remove_all(at.made);
     const std::string command =
-        "'" + at.program.string() + "' --panels --out '" + at.made.parent_path().string() + "' --size " + size;
+        "'" + at.program.string() + "' --panels --out '" + at.made.parent_path().string() + "' " + how;
     if (std::system(command.c_str()) == 0) return true;
     std::cout << "this failed: " << command << '\n';
     return false;
@@ -133,7 +151,7 @@ bool renew(const Folders& at) {
     for (const std::string& name : files_in(at.made, ".csv")) {
         all = copy(at.made / name, at.golden / name, kLargestFile) && all;
     }
-    if (!draw(at, kPageSize)) return false;
+    if (!draw(at, kPage)) return false;
     fs::remove_all(at.pictures);
     for (const std::string& name : pictures_in(at.made)) {
         all = copy(at.made / name, at.pictures / name, kLargestPicture) && all;
@@ -143,7 +161,7 @@ bool renew(const Folders& at) {
 
 bool check(const Folders& at) {
     fs::remove_all(at.failures);
-    if (!draw(at, kSize)) return false;
+    if (!draw(at, kDraft)) return false;
     const char* renew_wish = std::getenv("KREDA_RENEW_GOLDEN");
     if (renew_wish != nullptr && std::string(renew_wish) == "1") return renew(at);
     std::set<std::string> panels = files_in(at.golden, ".png"), numbers = files_in(at.golden, ".csv");

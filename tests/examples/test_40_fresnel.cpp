@@ -66,3 +66,27 @@ TEST_CASE("40_fresnel: the numbers of the page worked by hand") {
     const double brewster = documented_number("40_fresnel", "brewster") * std::numbers::pi / 180.0;
     CHECK(std::tan(brewster) == doctest::Approx(4.01).epsilon(0.01));
 }
+
+TEST_CASE("40_fresnel: the curves by index and NVIDIA's form are what their equations give") {
+    // Fresnel's equations in double; the sine of the refracted ray by Snell.
+    const auto exact = [](double degrees, double n) {
+        const double theta = degrees * 3.14159265358979 / 180.0, c = std::cos(theta), s = std::sin(theta) / n;
+        const double t = std::sqrt(1.0 - s * s);
+        const double r_s = (c - n * t) / (c + n * t), r_p = (n * c - t) / (n * c + t);
+        return 0.5 * (r_s * r_s + r_p * r_p);
+    };
+    const double hydrogen = golden_value("40_fresnel/index_of_refraction", "1.001", 0.0);
+    CHECK(rounds_to(hydrogen, quoted_number("40_fresnel", "hydrogen")));
+    CHECK(hydrogen == doctest::Approx(exact(0.0, 1.001)).epsilon(1e-3));  // n - 1 in floats
+    for (const double degrees : {60.0, 75.0}) {
+        CHECK(golden_value("40_fresnel/index_of_refraction", "4.010", degrees) ==
+              doctest::Approx(exact(degrees, 4.01)).epsilon(1e-4));
+    }
+    const double x = 1.0 - std::cos(80.25 * 3.14159265358979 / 180.0);
+    CHECK(golden_value("40_fresnel/nvidia", "6", 80.25) == doctest::Approx(0.05 + 0.8 * std::pow(x, 6)).epsilon(1e-4));
+    CHECK(rounds_to(exact(60.0, 1.33), quoted_number("40_fresnel", "water_60")));
+    CHECK(rounds_to(exact(80.0, 1.33), quoted_number("40_fresnel", "water_80")));
+    CHECK(rounds_to(golden_value("40_fresnel/nvidia", "5", 60.0), quoted_number("40_fresnel", "nvidia_60")));
+    const auto schlick = [](double c) { return 0.02 + 0.98 * std::pow(1.0 - c, 5); };
+    CHECK(rounds_to(schlick(std::cos(80.0 * 3.14159265358979 / 180.0)), quoted_number("40_fresnel", "nvidia_80")));
+}

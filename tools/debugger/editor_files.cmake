@@ -41,7 +41,7 @@ endfunction()
 
 foreach(main ${mains})
   get_filename_component(name ${main} DIRECTORY)
-  add_program(${name} "\"--out\", \"out\"")
+  add_program(${name} "\"--out\", \"out\", \"--draft\"")
 endforeach()
 add_program(kreda "\"render\", \"-o\", \"out/debugged.png\"")
 

@@ -176,6 +176,20 @@ Image fit(const Image& image, int width, int height, const glm::vec3& around) {
     return whole;
 }
 
+Image box_average(const Image& fine, int n) {
+    if (n == 1) return fine;
+    Image image = make_board(fine.width / n, fine.height / n);
+    const float weight = 1.0f / static_cast<float>(n * n);
+    for (int y = 0; y < image.height; ++y) {
+        for (int x = 0; x < image.width; ++x) {
+            glm::vec3 sum(0.0f);
+            for (int s = 0; s < n * n; ++s) sum += fine.rgb(x * n + s % n, y * n + s / n);
+            image.set_rgb(x, y, weight * sum);
+        }
+    }
+    return image;
+}
+
 Image crop(const Image& image, int x, int y, int width, int height) {
     Image part = make_board(width, height);
     paste(part, image, -x, -y);
@@ -201,8 +215,8 @@ glm::ivec2 panel_corner(int width, int height, int columns, int index, std::size
     return corner + (cell - panel) / 2;
 }
 
-Image montage(int width, int height, int columns, const std::vector<Image>& panels) {
-    Image whole = make_board(width, height, kSlate);
+Image montage(int width, int height, int columns, const std::vector<Image>& panels, const glm::vec3& division) {
+    Image whole = make_board(width, height, division);
     for (std::size_t i = 0; i < panels.size(); ++i) {
         const glm::ivec2 corner = panel_corner(width, height, columns, static_cast<int>(i), panels.size(),
                                                {panels[i].width, panels[i].height});

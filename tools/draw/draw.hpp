@@ -70,6 +70,15 @@ void draw_text(Image& image, glm::vec2 corner, std::string_view text, const glm:
 /// `around` fills the rest. Any number of channels up to three.
 [[nodiscard]] Image fit(const Image& image, int width, int height, const glm::vec3& around = kBoard);
 
+/// Each pixel is the mean of n x n pixels of `fine`, whose size is n times as large.
+[[nodiscard]] Image box_average(const Image& fine, int n);
+
+/// What `draw(size)` makes, n x n samples a pixel: drawn n times as large, then averaged.
+template <class Draw>
+[[nodiscard]] Image averaged(glm::ivec2 size, int n, Draw draw) {
+    return box_average(draw(n * size), n);
+}
+
 [[nodiscard]] Image crop(const Image& image, int x, int y, int width, int height);
 void paste(Image& onto, const Image& image, int x, int y);
 
@@ -81,6 +90,7 @@ void paste(Image& onto, const Image& image, int x, int y);
                                       glm::ivec2 panel);
 
 /// Panels side by side, row by row, each in the middle of its cell.
-[[nodiscard]] Image montage(int width, int height, int columns, const std::vector<Image>& panels);
+[[nodiscard]] Image montage(int width, int height, int columns, const std::vector<Image>& panels,
+                            const glm::vec3& division = kSlate);
 
 }  // namespace kreda::tools

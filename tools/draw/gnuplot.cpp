@@ -9,6 +9,7 @@
 #include <system_error>
 
 #include "tools/draw/markup.hpp"
+#include "tools/draw/plot_style.hpp"
 
 namespace kreda::tools {
 
@@ -92,7 +93,10 @@ std::string axis(const char* name, const std::optional<AxisRange>& range, bool l
     if (logarithmic) text += std::string("set logscale ") + name + "\nset format " + name + " '10^{%T}'\n";
     if (!range) return text;
     text += std::string("set ") + name + "range [" + number(range->from) + ":" + number(range->to) + "]\n";
-    if (logarithmic) return text;
+    if (logarithmic) {
+        const double decades = std::log10(range->to / range->from), step = std::ceil(decades / std::max(most, 1.0));
+        return step > 1.0 ? text + "set " + name + "tics 1e" + number(step) + "\n" : text;
+    }
     return text + "set " + name + "tics " + number(tic_step(*range, most)) + "\n";
 }
 
@@ -170,7 +174,7 @@ std::string gnuplot_script(const Plot& plot, const std::string& title, const std
     if (series.empty()) return "";
     std::string text;
     for (std::size_t s = 0; s < plot.series.size(); ++s) text += data_block(plot, s);
-    text += look.theme == PlotTheme::dark ? kDarkPlot : kLightPlot;
+    text += look.theme == Theme::dark ? kDarkPlot : kLightPlot;
     text += kPlotStyle + settings(plot, title, look);
     for (const auto& [name, ending] : {std::pair{"svg", ".svg"}, std::pair{"pngcairo", ".png"}}) {
         text += terminal(name, look) + "set output " + in_gnuplot_quotes(path + ending) + "\nplot " + series +

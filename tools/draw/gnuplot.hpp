@@ -6,7 +6,7 @@
 #include <glm/vec2.hpp>
 
 #include "tools/draw/plot.hpp"
-#include "tools/draw/plot_style.hpp"
+#include "tools/draw/theme.hpp"
 
 namespace kreda::tools {
 
@@ -22,7 +22,7 @@ namespace kreda::tools {
 struct PlotLook {
     glm::ivec2 size{900, 540};  ///< pixels
     float type_size = 16.0f;    ///< of the letters' em square, in pixels
-    PlotTheme theme = PlotTheme::light;
+    Theme theme = Theme::light;
 };
 
 /// What gnuplot is told to draw the plot as `path`.svg and `path`.png: data, the one style of all plots, the plot.

@@ -4,8 +4,6 @@
 
 namespace kreda::tools {
 
-enum class PlotTheme { light, dark };
-
 inline constexpr const char* kPlotStyle = R"(set encoding utf8
 set grid linecolor rgb frame linewidth 0.5 dashtype 3
 set border 3 linecolor rgb ink

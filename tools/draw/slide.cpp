@@ -7,7 +7,6 @@
 #include <fstream>
 
 #include "raster/film.hpp"
-#include "scene/error.hpp"
 #include "tools/draw/draw.hpp"
 
 namespace kreda::tools {
@@ -20,15 +19,6 @@ using raster::Image;
 constexpr int kMargin = 60;
 constexpr int kPictureTop = 130;
 constexpr int kPictureHeight = 775;
-
-struct SlideColors {
-    glm::vec3 ground, text, remark;
-};
-
-SlideColors colors_of(SlideGround ground) {
-    if (ground == SlideGround::dark) return {kBoard, kChalk, kDust};
-    return {srgb(0xfbf9f3), srgb(0x20262b), srgb(0x5a656c)};
-}
 
 /// A line in the middle, as large as it may be.
 void write_line(Image& slide, const std::string& text, int top, float largest, const glm::vec3& color) {
@@ -53,12 +43,6 @@ bool is_example_name(const std::string& name) {
 
 }  // namespace
 
-SlideGround slide_ground(const std::string& word) {
-    if (word == "dark") return SlideGround::dark;
-    if (word == "light") return SlideGround::light;
-    throw scene::UserError("--slides " + word + ": expected dark or light");
-}
-
 glm::ivec2 slide_picture_size(int width, int height) {
     constexpr double kRoom = kSlideWidth - 2 * kMargin;
     const double scale = std::min(kRoom / width, double{kPictureHeight} / height);
@@ -75,8 +59,8 @@ void fit_to_slide(scene::ImageSettings& image) {
     image.height = size.y;
 }
 
-Image make_slide(const Image& picture, const SlideText& text, SlideGround ground) {
-    const SlideColors colors = colors_of(ground);
+Image make_slide(const Image& picture, const SlideText& text, Theme theme) {
+    const ThemeColors colors = colors_of(theme);
     Image slide = make_board(kSlideWidth, kSlideHeight, colors.ground);
     write_line(slide, text.title, 44, 7.0f, colors.text);
     write_line(slide, text.caption, 930, 6.0f, colors.text);

@@ -7,16 +7,12 @@
 
 #include "raster/image.hpp"
 #include "scene/scene.hpp"
+#include "tools/draw/theme.hpp"
 
 namespace kreda::tools {
 
 inline constexpr int kSlideWidth = 1920;
 inline constexpr int kSlideHeight = 1080;
-
-enum class SlideGround { dark, light };
-
-/// "dark" or "light". Throws UserError.
-[[nodiscard]] SlideGround slide_ground(const std::string& word);
 
 /// UTF-8; what does not fit is written smaller.
 struct SlideText {
@@ -33,7 +29,7 @@ struct SlideText {
 void fit_to_slide(scene::ImageSettings& image);
 
 /// The slide; picture and result are encoded for a PNG, three channels. A picture that is too large is cut off.
-[[nodiscard]] raster::Image make_slide(const raster::Image& picture, const SlideText& text, SlideGround ground);
+[[nodiscard]] raster::Image make_slide(const raster::Image& picture, const SlideText& text, Theme theme);
 
 /// What a scene is called on its slides: the title of its example's page where it is the scene of an example
 /// ("22 Phong's terms"), else the file's name without its ending.

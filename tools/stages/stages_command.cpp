@@ -41,7 +41,7 @@ struct StagesOptions {
 /// Writes one stage after another and remembers what the page and the contact sheet need.
 class StageWriter {
 public:
-    StageWriter(const StagesOptions& options, const scene::Scene& scene, std::optional<SlideGround> ground)
+    StageWriter(const StagesOptions& options, const scene::Scene& scene, std::optional<Theme> ground)
         : options_(options), ground_(ground) {
         page_.title = options.title.empty() ? title_of_scene(options.scene.file) : options.title;
         page_.scene = options.scene.file;
@@ -94,7 +94,7 @@ private:
     }
 
     const StagesOptions& options_;
-    std::optional<SlideGround> ground_;
+    std::optional<Theme> ground_;
     StagePage page_;
     std::vector<raster::Image> thumbnails_;
     std::vector<std::string> titles_;
@@ -126,8 +126,8 @@ scene::Scene load(const StagesOptions& options) {
 }
 
 void stages_command(const StagesOptions& options) {
-    std::optional<SlideGround> ground;
-    if (!options.slides.empty()) ground = slide_ground(options.slides);
+    std::optional<Theme> ground;
+    if (!options.slides.empty()) ground = theme_named(options.slides, "--slides");
     scene::Scene scene = load(options);
     const glm::ivec2 zoom_room = options.slides.empty() ? glm::ivec2(1920, 1080) : slide_picture_size(1800, 760);
     std::optional<PixelRectangle> part;
