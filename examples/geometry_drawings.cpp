@@ -162,6 +162,7 @@ Panel penumbra_geometry(glm::ivec2 size) {
     Panel panel = drawing(make_board(size.x, size.y));
     Image& image = panel.image;
     const int top = static_cast<int>(kGroundY * unit), thickness = static_cast<int>(0.03f * unit);
+    panel.pictures.push_back({0, top, size.x, thickness});  // bright is bright on paper, too
     for (int x = 0; x < size.x; ++x) {
         const float share = seen_share((static_cast<float>(x) + 0.5f) / unit);
         fill_rectangle(image, x, top, 1, thickness, share * kYellow);

@@ -69,9 +69,8 @@ def mathtext(latex):
     """What matplotlib's mathtext reads: a part of LaTeX, without \\text."""
     def words(match):
         return r"\mathrm{" + match.group(1).replace(" ", r"\ ") + "}"
-    text = re.sub(r"\\text\{([^}]*)\}", words, latex)
+    text = re.sub(r"\\(?:text|mathrm)\{([^{}]*)\}", words, latex)
     text = re.sub(r"\\operatorname\{([^}]*)\}", r"\\mathrm{\1}\\,", text)
-    text = re.sub(r"\\mathrm\{([^{}]*)\}", words, text)
     text = re.sub(r"\\(le|ge)(?![a-zA-Z])", r"\\\1q", text)
     text = re.sub(r"\\frac(?![a-zA-Z])", r"\\dfrac", text)
     # A subscript or exponent must stand in braces before a macro with an argument.

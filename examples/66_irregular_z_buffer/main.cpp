@@ -101,8 +101,8 @@ void draw(const Options& options) {
     const int pixel = std::max(1, size.x / 52);
     const Few few = draw_few({size.x / pixel, size.y / pixel});
     save_panels(options, "samples", 2,
-                as_drawings({{camera_picture(few, size, pixel), "from the camera"},
-                             {lamp_picture(few, size), "from the lamp"}}));
+                {{camera_picture(few, size, pixel), "from the camera"},
+                 as_drawings({{lamp_picture(few, size), "from the lamp"}})[0]});
     save_panels(options, "edges", 2,
                 {{close_up(size, options.samples, shadows::ShadowMethod::map, 128), "map, 6 × 128 × 128"},
                  {close_up(size, options.samples, shadows::ShadowMethod::irregular, 128), "irregular"}});
