@@ -10,7 +10,8 @@ namespace {
 
 constexpr std::size_t kMostOfStructure = 24;  // sets of each that are looked at, evenly along its front
 constexpr double kMostError = 64.0;           // codes: nobody asks for more
-constexpr double kLittle = 0.002;             // of what all are worth: nothing that adds less is drawn
+constexpr double kUnknown = 1e-6;  // codes: what is not exact may err elsewhere, so at one price exact is taken
+constexpr double kLittle = 0.002;  // of what all are worth: nothing that adds less is drawn
 
 /// One option of each structural term, the others at their base.
 std::vector<std::vector<int>> structures_of(const std::vector<Term>& terms,
@@ -56,8 +57,9 @@ StructureClasses classes_of(const FrontSubject& subject, const std::vector<int>&
             std::vector<int> chosen = structure;
             chosen[t] = static_cast<int>(o);
             if (!allowed[t][o] || !is_possible(subject, chosen)) continue;
+            const double unknown = static_cast<int>(o) == subject.terms[t].oracle ? 0.0 : kUnknown;
             made.classes.back().push_back(
-                {predicted_cost(subject, chosen) - base, budget_of(subject.measured.options[t][o].error)});
+                {predicted_cost(subject, chosen) - base, budget_of(subject.measured.options[t][o].error) + unknown});
             made.option.back().push_back(static_cast<int>(o));
         }
     }
