@@ -198,7 +198,7 @@ struct FarthestDepth {
     }
 };
 
-/// It is looked for when the tile was drawn over so often: a look takes as long as drawing a quarter of a tile.
+/// It is looked for each time that triangles whose boxes cover the tile four times over were drawn.
 constexpr int kSamplesBetweenLooks = 4 * kTileSide * kTileSide;
 
 /// The farthest depth of the samples of the tile, which may end within its memory.

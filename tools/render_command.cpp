@@ -213,7 +213,7 @@ The scene file is described by `kreda keys`; a value given here wins over the fi
 --time prints one line of JSON, milliseconds from the loaded scene to the linear film, without loading, tone mapping and
 writing. Its stages are the passes of kreda plan, in that order; those that threads share tile by tile take parts of the
 common time. Baking is done before, and not part of total_ms; "around" has what loading, baking and writing take, once, and
-what the tone map and 8 bits take where a PNG is written: that pass works in the tiles, too, but no stage and not part of total_ms.
+what the tone map and 8 bits take where a PNG is written: the stage "film" then, which is not part of total_ms.
 pixels_shaded counts visible samples: with --samples 2 up to four a pixel.
 An environment is baked before the first frame. Its maps are kept in .kreda-cache beside the scene file, for the next render;
 delete the folder at will.

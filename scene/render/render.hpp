@@ -58,7 +58,7 @@ struct RenderBuffers {
 struct StageTimes {
     std::vector<std::pair<std::string, double>> stages;
     double total_ms = 0.0;    ///< of the frame, without what is baked before it and without display_ms
-    double display_ms = 0.0;  ///< tone map and encoding in 8 bits: the pass "film" of a plan of bytes, no stage here
+    double display_ms = 0.0;  ///< tone map and encoding in 8 bits: the pass "film" of a plan of bytes
 };
 
 struct RenderStatistics {

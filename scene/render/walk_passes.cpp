@@ -40,10 +40,8 @@ void share_out(const Frame& frame, std::span<const PlannedPass> stretch, double 
     const double all = std::accumulate(spent.begin(), spent.end(), 0.0);
     for (std::size_t p = 0; p < stretch.size(); ++p) {
         const double share = all > 0.0 ? spent[p] / all : 1.0 / static_cast<double>(stretch.size());
-        if (stretch[p].run == write_bytes)
-            times.display_ms += ms * share;
-        else
-            times.stages.emplace_back(stretch[p].name, ms * share);
+        times.stages.emplace_back(stretch[p].name, ms * share);
+        if (stretch[p].run == write_bytes) times.display_ms += ms * share;
     }
 }
 

@@ -26,7 +26,7 @@ expect "the students' page has the points" grep -q "^| 5 Phong.* 5 |$" my/A3_lig
 expect "the hidden scene was graded" grep -q "wide" graded/solution/report.html
 expect "the changed scene has another picture" test "$(cksum < my/A3_lights/golden/spot.png)" != \
     "$(cksum < "$source/examples/assignments/A3_lights/golden/spot.png")"
-expect "the others have the same" cmp my/A3_lights/golden/two_lamps.png \
+expect "the others have the same" "$kreda" compare my/A3_lights/golden/two_lamps.png \
     "$source/examples/assignments/A3_lights/golden/two_lamps.png"
 tar -tzf A3.tar.gz > handed_out.txt
 expect "what is handed out can be graded" grep -qx "harness.hpp" handed_out.txt
