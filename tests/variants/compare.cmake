@@ -1,4 +1,4 @@
-# cmake -DPROGRAM=... -DSOURCE=... -DFOLDER=... -DVARIANT=name [-DBUILT=... | -DCOMPILER=... -DFLAGS=...] -P compare.cmake
+# cmake -DPROGRAM=... -DSOURCE=... -DFOLDER=... -DVARIANT=name [-DBUILT=... [-DTHIRD=third] | -DCOMPILER=... -DFLAGS=...] -P compare.cmake
 # Hashes from PROGRAM against those of the variant (the program BUILT, or one that is built here; VARIANT=kept: those
 # of tests/variants/hashes.txt), line by line; says
 # which scenes differ.
@@ -31,7 +31,10 @@ if(VARIANT STREQUAL "kept")
 endif()
 
 if(BUILT)
-  run_hashes(${BUILT} actual 2)
+  if(THIRD)
+    run_hashes(${PROGRAM} expected 2 third)
+  endif()
+  run_hashes(${BUILT} actual 2 ${THIRD})
   expect_same("${VARIANT}" "${expected}" "${actual}")
   return()
 endif()
