@@ -3,6 +3,8 @@
 
 #include <doctest/doctest.h>
 
+#include <glm/trigonometric.hpp>
+
 #include "shadow_scene.hpp"
 #include "shadows/exact.hpp"
 #include "tests/raster/random_scenes.hpp"
