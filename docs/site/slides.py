@@ -215,6 +215,8 @@ def slides_of(name, out, theme):
     title, footer = f"{read.number} {read.title}", sources_of(markdown)
     for i, (path, caption) in enumerate(pictures_of(markdown)):
         file = out / path
+        if not path.startswith(name):  # no example draws it: a picture that stands beside the pages
+            file = ROOT / "docs" / "images" / path
         if not file.exists():
             raise SlideError(f"{file}: there is no such picture; draw it first: build/release/bin/{name} --out {out}")
         slide = Slide(theme, title, footer)
