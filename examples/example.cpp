@@ -15,6 +15,7 @@
 #include "scene/files/image_file.hpp"
 #include "scene/files/read_scene.hpp"
 #include "scene/render/render.hpp"
+#include "tools/shell_quotes.hpp"
 
 namespace kreda::examples {
 
@@ -69,17 +70,10 @@ void write_composition(const Options& options, const std::string& file, const Co
     if (!(layout << layout_lines(file, picture))) throw scene::UserError(scene::Place{options.folder}, "cannot write");
 }
 
-/// As a word of a shell's command.
-std::string quoted(const std::string& text) {
-    std::string word = "'";
-    for (const char c : text) word += c == '\'' ? std::string("'\\''") : std::string(1, c);
-    return word + "'";
-}
-
 /// The slides of the example's page with the pictures that were drawn: 0, or 2 where they could not be made.
 int make_slides(const std::string& out, const std::string& name, const std::string& theme) {
-    const std::string command = "python3 " + quoted(KREDA_COURSE_FOLDER "/docs/site/slides.py") + " --out " +
-                                quoted(out) + " --theme " + theme + " " + name;
+    const std::string command = "python3 " + tools::in_shell_quotes(KREDA_COURSE_FOLDER "/docs/site/slides.py") +
+                                " --out " + tools::in_shell_quotes(out) + " --theme " + theme + " " + name;
     if (std::system(command.c_str()) == 0) return 0;
     throw scene::UserError(
         "--slides: the slides were not made; python3 and its matplotlib make them (apt-get install "

@@ -7,6 +7,7 @@
 #include "scene/files/hash_of_bytes.hpp"
 #include "tools/grade/assignment/grade_cache.hpp"
 #include "tools/grade/assignment/table_reader.hpp"
+#include "tools/shell_quotes.hpp"
 #include "tools/write_file.hpp"
 
 namespace kreda::tools {
@@ -16,12 +17,6 @@ namespace {
 namespace fs = std::filesystem;
 
 const std::vector<std::string> kLanguage = {"-std=c++20", "-DGLM_FORCE_XYZW_ONLY"};
-
-std::string quoted(const std::string& word) {
-    std::string text = "'";
-    for (const char c : word) text += c == '\'' ? std::string("'\\''") : std::string(1, c);
-    return text + "'";
-}
 
 /// The first lines of what a compiler says.
 std::string first_lines(const std::string& text, int most) {
@@ -116,7 +111,7 @@ std::string content_name(const std::string& bytes) {
 
 void run_trusted(const std::vector<std::string>& command) {
     std::string line;
-    for (const std::string& word : command) line += quoted(word) + " ";
+    for (const std::string& word : command) line += in_shell_quotes(word) + " ";
     FILE* pipe = popen((line + "2>&1").c_str(), "r");
     if (pipe == nullptr) throw scene::UserError("cannot run " + command[0]);
     std::string printed;
