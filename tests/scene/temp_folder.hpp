@@ -1,12 +1,14 @@
 // A folder of its own for a test that needs real files; it goes away with the object.
 #pragma once
 
+#include <chrono>
 #include <cstdlib>
 #include <filesystem>
 #include <fstream>
 #include <iterator>
 #include <random>
 #include <string>
+#include <thread>
 
 namespace kreda::tests {
 
@@ -37,6 +39,11 @@ struct TempFolder {
         return file(name);
     }
 };
+
+/// File times have steps; what is read so soon after it was written is not trusted.
+inline void let_files_settle() {
+    std::this_thread::sleep_for(std::chrono::milliseconds(80));
+}
 
 [[nodiscard]] inline std::string bytes_of(const std::string& path) {
     std::ifstream stream(path, std::ios::binary);

@@ -1,7 +1,5 @@
 // What is kept of a glTF file is read anew when a file beside it changes.
-#include <chrono>
 #include <string>
-#include <thread>
 
 #include <doctest/doctest.h>
 
@@ -10,15 +8,6 @@
 
 using namespace kreda;
 using namespace kreda::tests;
-
-namespace {
-
-/// File times have steps; what is read so soon after it was written is not trusted.
-void let_file_settle() {
-    std::this_thread::sleep_for(std::chrono::milliseconds(80));
-}
-
-}  // namespace
 
 TEST_CASE("glTF: the buffer beside a glTF file counts as a part of it") {
     const auto corner = [](float size) {
@@ -32,14 +21,14 @@ TEST_CASE("glTF: the buffer beside a glTF file counts as a part of it") {
                            R"("accessors":[{"bufferView":0,"componentType":5126,"count":3,"type":"VEC3"}],)"
                            R"("meshes":[{"primitives":[{"attributes":{"POSITION":0}}]}],"nodes":[{"mesh":0}],)"
                            R"("scenes":[{"nodes":[0]}]})");
-    let_file_settle();
+    let_files_settle();
     scene::LoadedFiles files;
     const auto corner_of = [&] { return scene::load_mesh(&files, folder.file("a.gltf"), {})->mesh.positions[1].x; };
     CHECK(corner_of() == 1.0f);
     CHECK(corner_of() == 1.0f);
     CHECK(files.reads == 1);
     folder.write("a.bin", corner(2.0f));
-    let_file_settle();
+    let_files_settle();
     CHECK(corner_of() == 2.0f);
     CHECK(files.reads == 2);
 }

@@ -1,9 +1,7 @@
 // What is kept of files is what reading them anew gives; a file that changes is read again, and no other.
 #include "scene/files/loaded_files.hpp"
 
-#include <chrono>
 #include <filesystem>
-#include <thread>
 
 #include <doctest/doctest.h>
 
@@ -17,11 +15,6 @@ using namespace kreda::tests;
 namespace {
 
 constexpr const char* kTriangle = "mtllib a.mtl\nv 0 0 0\nv 1 0 0\nv 0 1 0\nvt 0 0\nvt 1 0\nvt 0 1\nusemtl m\n";
-
-/// File times have steps; what is read so soon after it was written is not trusted.
-void let_files_settle() {
-    std::this_thread::sleep_for(std::chrono::milliseconds(80));
-}
 
 struct SceneFolder {
     TempFolder folder;
