@@ -7,8 +7,6 @@
 #include <vector>
 
 #include "scene/files/image_file.hpp"
-#include "scene/files/png_bytes.hpp"
-#include "scene/files/whole_file.hpp"
 #include "scene/plan/origin_words.hpp"
 #include "tools/scene_options.hpp"
 
@@ -75,8 +73,7 @@ scene::PlanRequest png_request() {
 }
 
 void write_bytes(const std::string& path, const raster::ByteImage& picture, const raster::FilmReport& report) {
-    const auto file = scene::encode_png(path, {picture.width, picture.height, picture.channels, picture.values});
-    scene::write_whole_file(path, {std::as_bytes(std::span(file))});
+    scene::write_png(path, scene::PngPicture{picture.width, picture.height, picture.channels, picture.values});
     warn_of_film(report, false);
     std::cerr << "wrote " << path << " (" << picture.width << " x " << picture.height << ")\n";
 }

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "raster/image.hpp"
+#include "scene/files/png_bytes.hpp"
 
 namespace kreda::scene {
 
@@ -69,6 +70,8 @@ struct StoredImage {
 /// Write 8-bit PNG, marked sRGB, from values that are encoded already: byte = round(255 c), c clamped to 0..1, NaN to
 /// 0. 1 (grey) or 3 channels. The same image gives the same bytes. Throws UserError and leaves no partial file.
 void write_png(const std::string& path, const raster::Image& encoded);
+/// The same of a picture whose bytes are there already.
+void write_png(const std::string& path, const PngPicture& picture);
 
 /// Write float32 EXR from linear values. One name a channel. The same image gives the same bytes. Throws UserError.
 void write_exr(const std::string& path, const raster::Image& linear,

@@ -66,6 +66,12 @@ void write_png(const std::string& path, const raster::Image& encoded) {
     write_whole_file(path, {std::as_bytes(std::span(file))});
 }
 
+void write_png(const std::string& path, const PngPicture& picture) {
+    check_output_path(path, ".png");
+    const std::vector<unsigned char> file = encode_png(path, picture);
+    write_whole_file(path, {std::as_bytes(std::span(file))});
+}
+
 void write_exr(const std::string& path, const raster::Image& linear, const std::vector<std::string>& channel_names) {
     check_output_path(path, ".exr");
     check_not_empty(path, linear);
