@@ -74,7 +74,7 @@ std::string plotted(const Plot& plot, std::size_t s) {
         text += "points linetype " + type + title;
     }
     if (series.point_names.empty()) return text;
-    return text + ", " + data + " using 1:2:3 with labels left offset 0.8,0.4 textcolor rgb ink notitle";
+    return text + ", " + data + " using 1:2:3 with labels left offset 0.8,0.7 textcolor rgb ink notitle";
 }
 
 /// The least of 1, 2, 5 times a power of 10 that makes no more than `most` steps.
