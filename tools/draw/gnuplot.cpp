@@ -114,6 +114,8 @@ std::string settings(const Plot& plot, const std::string& title, const PlotLook&
     std::string text =
         "set title " + quoted(title) + "\nset xlabel " + quoted(plot.x) + "\nset ylabel " + quoted(plot.y) + "\n";
     if (!plot.x_range || !plot.y_range) text += "set offsets graph 0.02, graph 0.02, graph 0.02, graph 0.02\n";
+    // Markers grow with the letters: one that tells a curve from others does so from the last row, too.
+    text += "set for [i=1:8] linetype i pointsize " + number(std::max(0.9, look.type_size / 16.0)) + "\n";
     // A number is about three letters wide, and as much stays free beside it.
     const double wide = look.size.x / (6.0 * look.type_size), high = look.size.y / (4.0 * look.type_size);
     return text + axis("x", plot.x_range, plot.log_x, wide) + axis("y", plot.y_range, plot.log_y, high) + "set key " +
