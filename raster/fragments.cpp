@@ -118,13 +118,30 @@ inline float step_of(const glm::vec3& dq, float inv_sum_here, const glm::vec3& c
     return change * inv_sum_here / (sum_ratio > kAlmostHorizon ? sum_ratio : kAlmostHorizon);
 }
 
+/// The weights from sample to sample of the run, which may leave some out.
+inline RunWeights along(RunWeights weights, const Run& run) {
+    for (CornerRow* const row : {&weights.a, &weights.b, &weights.c}) row->step *= run.step;
+    return weights;
+}
+
+/// Samples of a run, and how far it is from each to what counts as its neighbour.
+struct Neighbours {
+    RunWeights along_run;
+    glm::vec3 dq_right, dq_down;
+};
+
+inline Neighbours neighbours_of(const RunWeights& w, const Run& run, int spacing) {
+    const auto apart = static_cast<float>(spacing);
+    return {along(w, run), apart * q_step_right(w), apart * q_step_down(w)};
+}
+
 /// The steps of one texture coordinate along a run, to the right and down.
-inline void fill_steps(const RunWeights& w, int lanes, const glm::vec3& corner_value, const float* __restrict here,
+inline void fill_steps(const Neighbours& n, int lanes, const glm::vec3& corner_value, const float* __restrict here,
                        float* __restrict step_right, float* __restrict step_down) {
-    const glm::vec3 right = q_step_right(w);
-    const glm::vec3 down = q_step_down(w);
+    const glm::vec3 right = n.dq_right;
+    const glm::vec3 down = n.dq_down;
     for (int i = 0; i < lanes; ++i) {
-        const glm::vec3 q = corner_q(w, i);
+        const glm::vec3 q = corner_q(n.along_run, i);
         const float inv_sum = 1.0f / (q.x + q.y + q.z);
         step_right[i] = step_of(right, inv_sum, corner_value, here[i]);
         step_down[i] = step_of(down, inv_sum, corner_value, here[i]);
@@ -151,12 +168,12 @@ inline void interpolate_uv(const glm::vec2* uv, const std::array<std::uint32_t, 
 }
 
 /// Requires u and v of the run.
-inline void fill_uv_steps(const glm::vec2* uv, const std::array<std::uint32_t, 3>& v, const RunWeights& weights,
-                          int lanes, Fragments& out, int first) {
+inline void fill_uv_steps(const glm::vec2* uv, const std::array<std::uint32_t, 3>& v, const Neighbours& n, int lanes,
+                          Fragments& out, int first) {
     const glm::vec3 u(uv[v[0]].x, uv[v[1]].x, uv[v[2]].x);
     const glm::vec3 t(uv[v[0]].y, uv[v[1]].y, uv[v[2]].y);
-    fill_steps(weights, lanes, u, out.u.value + first, out.du_dx.value + first, out.du_dy.value + first);
-    fill_steps(weights, lanes, t, out.v.value + first, out.dv_dx.value + first, out.dv_dy.value + first);
+    fill_steps(n, lanes, u, out.u.value + first, out.du_dx.value + first, out.du_dy.value + first);
+    fill_steps(n, lanes, t, out.v.value + first, out.dv_dx.value + first, out.dv_dy.value + first);
 }
 
 /// Every sample of a run lies on the same triangle. Its corners are in the order that the screen asks for, so the
@@ -221,6 +238,7 @@ struct BatchTask {
     bool perspective = true;
     bool with_uv_steps = false;
     bool two_sided = false;
+    int spacing = 1;
 };
 
 /// A corner as the weights want it: 1/w, or 1 where they shall leave out the perspective.
@@ -295,20 +313,23 @@ inline void prepare_runs(int lanes, RunLanes& runs) {
 
 /// All attributes of prepared run r into the samples from `first` on. Where the number of lanes is a constant the loops
 /// unroll: most runs of small triangles hold one sample or a few.
-inline void interpolate_run(const BatchTask& task, const RunLanes& runs, int r, int count, Fragments& out, int first) {
+inline void interpolate_run(const BatchTask& task, const RunLanes& runs, int r, const Run& run, Fragments& out,
+                            int first) {
     WeightRow row;
+    const int count = run.count;
     if (count == 1) {
         row.set(0, {runs.b0[r], runs.b1[r], runs.b2[r]});
         blend_run(task.in, runs.vertex[r], runs.behind[r], row, 1, out, first);
     } else if (count <= kShortRun) {
-        fill_weights(runs.at(r), kShortRun, row);
+        fill_weights(along(runs.at(r), run), kShortRun, row);
         blend_run(task.in, runs.vertex[r], runs.behind[r], row, kShortRun, out, first);
     } else {
-        fill_weights(runs.at(r), lanes_for(count), row);
+        fill_weights(along(runs.at(r), run), lanes_for(count), row);
         blend_run(task.in, runs.vertex[r], runs.behind[r], row, lanes_for(count), out, first);
     }
     if (task.with_uv_steps)
-        fill_uv_steps(task.in.uv, runs.vertex[r], weights_of(runs, r), lanes_for(count), out, first);
+        fill_uv_steps(task.in.uv, runs.vertex[r], neighbours_of(weights_of(runs, r), run, task.spacing),
+                      lanes_for(count), out, first);
 }
 
 KREDA_BATCH_LOOP void interpolate_all(BatchTask task, const Run* runs, int run_count, Fragments& out) {
@@ -319,7 +340,7 @@ KREDA_BATCH_LOOP void interpolate_all(BatchTask task, const Run* runs, int run_c
         fetch_runs(task, runs + done, count, prepared);
         prepare_runs(lanes_for(count), prepared);
         for (int r = 0; r < count; ++r) {
-            interpolate_run(task, prepared, r, runs[done + r].count, out, first);
+            interpolate_run(task, prepared, r, runs[done + r], out, first);
             first += runs[done + r].count;
         }
     }
@@ -351,8 +372,9 @@ int collect_runs(const TileVisibility& tile, const TileArea& area, const Triangl
             rest &= rest - 1;  // forget where this run begins; what is left begins later
             const int end = std::min(rest ? std::countr_zero(rest) : kTileSide, area.width);
             if (row[x] != kNoTriangle) {
-                runs[found++] = {static_cast<std::uint16_t>(x), static_cast<std::uint16_t>(y),
-                                 static_cast<std::uint16_t>(end - x), set.triangle(row[x]).material, row[x]};
+                runs[found++] = {static_cast<std::uint16_t>(x),       static_cast<std::uint16_t>(y),
+                                 static_cast<std::uint16_t>(end - x), 1,
+                                 set.triangle(row[x]).material,       row[x]};
             }
             x = end;
         }
@@ -362,7 +384,7 @@ int collect_runs(const TileVisibility& tile, const TileArea& area, const Triangl
 
 void interpolate_runs(const VertexStreams& streams, const TriangleSet& set, const TileArea& area, const Run* runs,
                       int run_count, const FragmentNeeds& needs, AttributeInterpolation interpolation,
-                      Fragments& fragments) {
+                      Fragments& fragments, int spacing) {
     const Attributes attributes{streams.screen.data(),
                                 needs.position ? streams.position_world.data() : nullptr,
                                 needs.normal ? streams.normal_world.data() : nullptr,
@@ -373,7 +395,8 @@ void interpolate_runs(const VertexStreams& streams, const TriangleSet& set, cons
                                 needs.tangent ? streams.tangent_world.data() : nullptr,
                                 needs.fog ? streams.fog.data() : nullptr};
     const bool perspective = interpolation == AttributeInterpolation::perspective;
-    interpolate_all({attributes, set, area, perspective, needs.uv_steps, needs.two_sided}, runs, run_count, fragments);
+    interpolate_all({attributes, set, area, perspective, needs.uv_steps, needs.two_sided, spacing}, runs, run_count,
+                    fragments);
 }
 
 }  // namespace kreda::raster

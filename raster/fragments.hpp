@@ -49,10 +49,11 @@ struct Channel3 {
     }
 };
 
-/// Neighbouring samples of a row that see the same triangle.
+/// Samples of a row that see the same triangle: neighbours, or every step-th.
 struct Run {
     std::uint16_t x = 0, y = 0;  ///< first sample, within the tile
     std::uint16_t count = 0;
+    std::uint16_t step = 1;  ///< from one sample to the next; more where not every sample is lit (shading_points.hpp)
     std::uint32_t material = 0;
     std::uint32_t triangle = 0;  ///< triangle_id()
 };
@@ -108,9 +109,10 @@ int collect_runs(const TileVisibility& tile, const TileArea& area, const Triangl
 /// tiles, runs or other triangles:   u' - u = sum dq_i (u_i - u) / sum (q_i + dq_i).
 /// two_sided: where a triangle is seen from behind, its normal, its face normal and its tangent frame (t, and b by its
 /// side) are turned, so that a bent normal is turned as a whole; its colour is that of the far side.
-/// The runs hold at most kBatchCapacity samples together.
+/// The runs hold at most kBatchCapacity samples together. `spacing`: how many samples away what counts as a neighbour
+/// is, where one of a block is lit.
 void interpolate_runs(const VertexStreams& streams, const TriangleSet& set, const TileArea& area, const Run* runs,
                       int run_count, const FragmentNeeds& needs, AttributeInterpolation interpolation,
-                      Fragments& fragments);
+                      Fragments& fragments, int spacing = 1);
 
 }  // namespace kreda::raster

@@ -49,6 +49,7 @@ struct ImageSettings {
 
 struct ShadingSettings {
     ShadingFrequency frequency = ShadingFrequency::phong;
+    int rate = 1;  ///< with phong: one point is lit for rate x rate samples of a triangle
     Interpolation interpolation = Interpolation::perspective;
     raster::CullMode cull = raster::CullMode::back;
     bool two_sided = true;  ///< where culling is off: normals are turned to the viewer

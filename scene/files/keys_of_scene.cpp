@@ -56,6 +56,7 @@ const std::vector<Key<ShadingSettings>>& shading_keys() {
         {
             row<S>("frequency", &S::frequency, "light per triangle, per vertex or per pixel",
                    {.words = {"flat", "gouraud", "phong"}}),
+            row<S>("rate", &S::rate, "phong: a point is lit for n x n samples of a triangle", {.range = {1, 8}}),
             row<S>("interpolation", &S::interpolation, "affine shows why not", {.words = {"perspective", "affine"}}),
             row<S>("cull", &S::cull, "which side of a triangle is not drawn", {.words = {"back", "front", "none"}}),
             row<S>("two_sided", &S::two_sided,

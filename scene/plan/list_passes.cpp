@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "raster/shading_points.hpp"
 #include "scene/plan/environment_plan.hpp"
 #include "scene/plan/pass_functions.hpp"
 #include "scene/plan/pass_inputs.hpp"
@@ -250,17 +251,41 @@ bool only_lamps_ask(const RenderPlan& plan) {
 void list_fog(Listing& list) {
     if (list.plan.fog_at_pixels) {
         list.add(PassScope::batch, fog_samples, "fog at pixels", "fog.frequency = \"pixel\"",
-                 fog_cost(list.scene, list.counts));
+                 fog_cost(list.scene, list.plan, list.counts));
     }
     if (list.plan.fog_at_vertices || list.plan.fog_at_pixels) {
         if (!list.plan.wanted.radiance) return;
-        list.add(PassScope::batch, mix_fog, "mix fog", "fog.mode is not \"none\"", mix_fog_cost(list.counts));
+        list.add(PassScope::batch, mix_fog, "mix fog", "fog.mode is not \"none\"",
+                 mix_fog_cost(list.plan, list.counts));
     }
 }
 
 void list_visible(Listing& list) {
     list.add(PassScope::tile, find_nearest, "visibility", "which triangle is nearest, sample by sample",
              visibility_cost(list.counts));
+}
+
+std::string samples_of_block(const RenderPlan& plan) {
+    const std::string side = std::to_string(plan.shading_rate);
+    return side + " x " + side + " samples";
+}
+
+/// Before the batches: which samples are lit.
+void list_shading_points(Listing& list) {
+    if (list.plan.shading_rate == 1) return;
+    PlannedPass& pass = list.add(PassScope::tile, choose_shading_points, "shading points",
+                                 "shading.rate: one point of each triangle is lit for " + samples_of_block(list.plan),
+                                 copy_cost(list.counts));
+    pass.buffers = {{"the point of every sample of one tile, a thread", sizeof(raster::ShadingPoints)}};
+    if (list.plan.seen) pass.bound = "whether samples of a block differ is known once they are lit";
+}
+
+/// Behind them: the other samples get what their point has.
+void list_spreading(Listing& list) {
+    if (list.plan.shading_rate == 1) return;
+    list.add(PassScope::tile, spread_points, "spread", "what a point has to all " + samples_of_block(list.plan),
+             copy_cost(list.counts));
+    if (list.plan.seen) list.passes.back().bound = "whether two samples of a block see one triangle is not asked";
 }
 
 /// From the attributes of the visible samples to their radiance in the tile.
@@ -372,8 +397,10 @@ void list_passes(const Scene& scene, RenderPlan& plan) {
     if (objects) list_visible(list);
     if (plan.shows_background) list_background(list);
     if (objects) list_views(list, true);
+    if (objects) list_shading_points(list);
     if (objects) list_batches(list);
     if (objects) list_views(list, false);
+    if (objects) list_spreading(list);
     list_film(list);
     add_memory_of_threads(list);
     plan.passes = std::move(list.passes);

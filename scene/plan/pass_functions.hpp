@@ -27,6 +27,8 @@ void light_triangles(const PassWork& work);
 void find_nearest(const PassWork& work);
 void start_background(const PassWork& work);
 void show_depth(const PassWork& work);
+void choose_shading_points(const PassWork& work);
+void spread_points(const PassWork& work);
 void paint_flat(const PassWork& work);
 void write_film(const PassWork& work);
 void write_bytes(const PassWork& work);

@@ -163,6 +163,14 @@ void choose_environment(const Scene& scene, RenderPlan& plan) {
     plan.lit_by_environment = plan.lighting.lit_by_environment();
 }
 
+/// What a material is and how a surface lies is shown at every sample; what light does there, where it is lit.
+void choose_shading_rate(const Scene& scene, RenderPlan& plan) {
+    const Wanted& wanted = plan.wanted;
+    const bool light = wanted.radiance || wanted.environment || wanted.lamps || wanted.last_lamp || wanted.last_shadow;
+    const bool lit = plan.frequency == ShadingFrequency::phong && plan.lighting.any;
+    if (light && lit) plan.shading_rate = scene.shading.rate;
+}
+
 }  // namespace
 
 LoadingPlan plan_loading(const Scene& scene, const PlanRequest& request) {
@@ -183,6 +191,7 @@ RenderPlan make_plan_for(const Scene& scene, const PlanRequest& request) {
     choose_environment(scene, plan);
     leave_unasked_objects(scene, plan);
     choose_background(plan);
+    choose_shading_rate(scene, plan);
     const bool sides = plan.two_sided && plan.frequency != ShadingFrequency::flat && plan.lighting.any;
     plan.finds_sides = sides && any_of(plan.lighting.surface) && (!plan.seen || plan.seen->any_turned);
     plan.fragment_of_material = fragment_needs(scene, plan);

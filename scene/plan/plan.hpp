@@ -28,6 +28,7 @@ struct RenderPlan {
     bool two_sided = false;  ///< backs can be seen, and their normals are turned to the viewer
     raster::AttributeInterpolation interpolation = raster::AttributeInterpolation::perspective;
     ShadingFrequency frequency = ShadingFrequency::phong;
+    int shading_rate = 1;                 ///< one point is lit for so many samples by so many
     bool film = true;                     ///< the picture itself is drawn
     bool bytes = false;                   ///< in 8 bits, and nothing keeps its radiance
     std::optional<Seen> seen;             ///< what the camera sees; none: nothing was left out for it

@@ -35,10 +35,17 @@ double fog_operations(const lighting::Fog& fog) {
     return distance + (fog.mode == lighting::FogMode::linear ? 6.0 : kExpOperations + 3.0);
 }
 
+/// Work at every visible sample, or at one of a block of them: then several triangles may share the block.
+PassCost at_shaded_samples(const RenderPlan& plan, const PlanCounts& counts, double operations) {
+    const std::uint64_t block = static_cast<std::uint64_t>(plan.shading_rate) * plan.shading_rate;
+    if (block == 1) return {"samples", counts.samples, operations};
+    return {"points, about,", (counts.samples + block - 1) / block, operations};
+}
+
 /// Where light is computed, how often, and what that takes at each of these points.
 PassCost at_lit_points(const RenderPlan& plan, const PlanCounts& counts, double operations) {
     switch (plan.frequency) {
-        case ShadingFrequency::phong: return {"samples", counts.samples, operations};
+        case ShadingFrequency::phong: return at_shaded_samples(plan, counts, operations);
         case ShadingFrequency::gouraud: return {"vertices", counts.vertices, operations * (plan.two_sided ? 2.0 : 1.0)};
         case ShadingFrequency::flat: return {"triangles", counts.triangles, operations};
     }
@@ -132,19 +139,20 @@ PassCost visibility_cost(const PlanCounts& counts) {
 PassCost interpolation_cost(const RenderPlan& plan, const PlanCounts& counts) {
     const raster::FragmentNeeds& needs = plan.fragment;
     const int numbers = 3 * (needs.position + needs.normal + needs.color) + 2 * needs.uv + needs.fog;
-    return {"samples", counts.samples, 13.0 + 5.0 * numbers};  // weights, then three products and two sums a number
+    // weights, then three products and two sums a number
+    return at_shaded_samples(plan, counts, 13.0 + 5.0 * numbers);
 }
 
 PassCost copy_cost(const PlanCounts& counts) {
     return {"samples", counts.samples, 0.0};
 }
 
-PassCost fog_cost(const Scene& scene, const PlanCounts& counts) {
-    return {"samples", counts.samples, fog_operations(scene.fog)};
+PassCost fog_cost(const Scene& scene, const RenderPlan& plan, const PlanCounts& counts) {
+    return at_shaded_samples(plan, counts, fog_operations(scene.fog));
 }
 
-PassCost mix_fog_cost(const PlanCounts& counts) {
-    return {"samples", counts.samples, 10.0};
+PassCost mix_fog_cost(const RenderPlan& plan, const PlanCounts& counts) {
+    return at_shaded_samples(plan, counts, 10.0);
 }
 
 PassCost film_cost(const RenderPlan& plan, const PlanCounts& counts) {

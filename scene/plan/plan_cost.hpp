@@ -39,8 +39,8 @@ struct PlanCounts {
 [[nodiscard]] PassCost visibility_cost(const PlanCounts& counts);
 [[nodiscard]] PassCost interpolation_cost(const RenderPlan& plan, const PlanCounts& counts);
 [[nodiscard]] PassCost copy_cost(const PlanCounts& counts);
-[[nodiscard]] PassCost fog_cost(const Scene& scene, const PlanCounts& counts);
-[[nodiscard]] PassCost mix_fog_cost(const PlanCounts& counts);
+[[nodiscard]] PassCost fog_cost(const Scene& scene, const RenderPlan& plan, const PlanCounts& counts);
+[[nodiscard]] PassCost mix_fog_cost(const RenderPlan& plan, const PlanCounts& counts);
 [[nodiscard]] PassCost film_cost(const RenderPlan& plan, const PlanCounts& counts);
 
 // Costs of light, wherever it is computed: at samples, vertices or triangles.

@@ -20,7 +20,9 @@ void number_samples(const RenderPlan& plan, const TileArea& area, const Run* run
     int point = 0;
     for (int r = 0; r < count; ++r) {
         const int first = (area.y + runs[r].y) * plan.viewport.width + area.x + runs[r].x;
-        for (int i = 0; i < runs[r].count; ++i) fragments.sample[point++] = static_cast<std::uint32_t>(first + i);
+        for (int i = 0; i < runs[r].count; ++i) {
+            fragments.sample[point++] = static_cast<std::uint32_t>(first + i * runs[r].step);
+        }
     }
 }
 
@@ -62,13 +64,26 @@ KREDA_BATCH_LOOP void scatter_runs(const raster::Channel3& radiance, const Run* 
     }
 }
 
+/// The same where not every sample is lit: one point after the other.
+void scatter_points(const raster::Channel3& radiance, const Run* runs, int count, TileColor& color) {
+    int point = 0;
+    for (int r = 0; r < count; ++r) {
+        int to = runs[r].y * kTileSide + runs[r].x;
+        for (int i = 0; i < runs[r].count; ++i, ++point, to += runs[r].step) {
+            color.plane[0][to] = radiance.x[point];
+            color.plane[1][to] = radiance.y[point];
+            color.plane[2][to] = radiance.z[point];
+        }
+    }
+}
+
 /// The values of a view at the points of the batch, into the tile.
 void write_view(const View& view, const BatchChannels& batch, const Run* runs, int count, TileColor& values) {
     for (int c = 0; c < view.components; ++c) {
         int point = 0;
         for (int r = 0; r < count; ++r) {
             float* to = values.plane[c] + runs[r].y * kTileSide + runs[r].x;
-            for (int i = 0; i < runs[r].count; ++i) to[i] = view.value(batch, point++, c);
+            for (int i = 0; i < runs[r].count; ++i) to[i * runs[r].step] = view.value(batch, point++, c);
         }
     }
 }
@@ -83,7 +98,7 @@ void interpolate(const PassWork& work) {
     const raster::FragmentNeeds& needs = plan.fragment_of_material[work.material];
     if (needs.any()) {
         interpolate_runs(buffers.streams, buffers.triangles, work.area, work.runs, work.run_count, needs,
-                         plan.interpolation, *scratch.fragments);
+                         plan.interpolation, *scratch.fragments, plan.shading_rate);
     }
     if (plan.shadows_by_frame) number_samples(plan, work.area, work.runs, work.run_count, *scratch.fragments);
     if (needs.color) lighting::copy_color(*scratch.fragments, *scratch.lighting);
@@ -108,7 +123,9 @@ void mix_fog(const PassWork& work) {
 }
 
 void paint(const PassWork& work) {
-    scatter_runs(work.scratch.lighting->radiance, work.runs, work.run_count, work.scratch.color);
+    const bool all = work.frame.plan.shading_rate == 1;
+    (all ? scatter_runs : scatter_points)(work.scratch.lighting->radiance, work.runs, work.run_count,
+                                          work.scratch.color);
 }
 
 void show_view(const PassWork& work) {

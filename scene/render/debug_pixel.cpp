@@ -27,7 +27,8 @@ glm::ivec2 sample_to_debug(const raster::TileArea& area, int n) {
 int cut_out_sample(raster::Run* runs, int& run_count, const glm::ivec2& sample) {
     using raster::Run;
     const auto holds_sample = [=](const Run& run) {
-        return run.y == sample.y && run.x <= sample.x && sample.x < run.x + run.count;
+        const int along = sample.x - run.x;
+        return run.y == sample.y && along >= 0 && along % run.step == 0 && along / run.step < run.count;
     };
     Run* const end = runs + run_count;
     Run* at = std::find_if(runs, end, holds_sample);
@@ -40,14 +41,14 @@ int cut_out_sample(raster::Run* runs, int& run_count, const glm::ivec2& sample) 
         run.count = static_cast<std::uint16_t>(count);
         return run;
     };
-    const int before = sample.x - whole.x;
+    const int before = (sample.x - whole.x) / whole.step;
     const int after = whole.count - before - 1;
     const int more = (before > 0) + (after > 0);
     std::copy_backward(at + 1, end, end + more);
     run_count += more;
     if (before > 0) *at++ = part(whole.x, before);
     *at = part(sample.x, 1);
-    if (after > 0) at[1] = part(sample.x + 1, after);
+    if (after > 0) at[1] = part(sample.x + whole.step, after);
     return static_cast<int>(at - runs);
 }
 

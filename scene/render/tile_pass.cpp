@@ -111,11 +111,19 @@ void walk_batches(const Frame& frame, const TileArea& area, std::span<const Plan
     }
 }
 
+/// Where the wanted sample's colour is computed: there, or at the point that is lit in its place.
+glm::ivec2 lit_in_place_of(const glm::ivec2& wanted, const TileScratch& scratch) {
+    const int sample = wanted.y * kTileSide + wanted.x;
+    if (wanted.x < 0 || !scratch.points_are_chosen) return wanted;
+    const int point = scratch.points->of[sample];
+    return {point % kTileSide, point / kTileSide};
+}
+
 /// All runs of the tile; the sample that a debugger wants to see in a batch of its own.
 void walk_runs(const Frame& frame, const TileArea& area, std::span<const PlannedPass> passes, TileScratch& scratch) {
     Run* const runs = scratch.runs;
     group_by_material(runs, scratch.run_count);
-    const glm::ivec2 wanted = sample_to_debug(area, frame.plan.samples);
+    const glm::ivec2 wanted = lit_in_place_of(sample_to_debug(area, frame.plan.samples), scratch);
     if (wanted.x < 0) return walk_batches(frame, area, passes, runs, scratch.run_count, scratch);
 
     const int debugged = cut_out_sample(runs, scratch.run_count, wanted);
@@ -142,6 +150,7 @@ void render_tile(const Frame& frame, int tile_index, TileScratch& scratch) {
     scratch.clock.start();
     const TileArea area = tile_area(frame.buffers.triangles.grid, frame.plan.viewport, tile_index);
     scratch.run_count = 0;
+    scratch.points_are_chosen = false;
     const std::span<const PlannedPass> passes = frame.tile_passes;
     for (std::size_t p = 0; p < passes.size();) {
         if (passes[p].scope == PassScope::tile) {
@@ -189,6 +198,7 @@ void fit_scratch(const RenderPlan& plan, TileScratch& scratch) {
     if ((points || plan.environment_background) && !scratch.lighting) {
         scratch.lighting = std::make_unique<lighting::LightingChannels>();
     }
+    if (plan.shading_rate > 1 && !scratch.points) scratch.points = std::make_unique<raster::ShadingPoints>();
     scratch.clock.clear(plan.passes.size());
     scratch.samples_shaded = 0;
     scratch.shown = {};
@@ -223,6 +233,31 @@ void start_background(const PassWork& work) {
 void show_depth(const PassWork& work) {
     TileColor& values = work.scratch.views[static_cast<std::size_t>(work.pass.index)];
     std::copy_n(work.scratch.visibility.depth, kTileSide * kTileSide, values.plane[0]);
+}
+
+/// From here on the tile's runs are the points that are lit.
+void choose_shading_points(const PassWork& work) {
+    TileScratch& scratch = work.scratch;
+    if (scratch.run_count == 0) return;
+    const int seen = samples_of(scratch.runs, scratch.run_count);
+    scratch.run_count = collect_shading_points(scratch.visibility, work.area, work.frame.buffers.triangles,
+                                               work.frame.plan.shading_rate, scratch.runs, *scratch.points);
+    scratch.points_are_chosen = true;
+    scratch.samples_shaded -= static_cast<std::uint64_t>(seen - scratch.run_count);
+}
+
+/// The radiance of each point, and what views show there, to the samples in whose place it was lit.
+void spread_points(const PassWork& work) {
+    TileScratch& scratch = work.scratch;
+    if (!scratch.points_are_chosen) return;
+    const RenderPlan& plan = work.frame.plan;
+    for (int c = 0; plan.film && c < 3; ++c) spread(*scratch.points, work.area, scratch.color.plane[c]);
+    for (std::size_t v = 0; v < plan.views.size(); ++v) {
+        const bool is_depth = !plan.views[v]->value;  // it is there for every sample
+        for (int c = 0; !is_depth && c < plan.views[v]->components; ++c) {
+            spread(*scratch.points, work.area, scratch.views[v].plane[c]);
+        }
+    }
 }
 
 void paint_flat(const PassWork& work) {

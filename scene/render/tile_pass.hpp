@@ -4,6 +4,7 @@
 #include "lighting/batch/passes.hpp"
 #include "raster/display_bytes.hpp"
 #include "raster/fragments.hpp"
+#include "raster/shading_points.hpp"
 #include "scene/render/frame.hpp"
 #include "scene/render/pass_clock.hpp"
 #include "scene/render/render.hpp"
@@ -20,6 +21,8 @@ struct TileScratch {
     raster::TileVisibility visibility;
     raster::Run runs[raster::kTileSide * raster::kTileSide];
     int run_count = 0;
+    std::unique_ptr<raster::ShadingPoints> points;         ///< only where not every sample is lit
+    bool points_are_chosen = false;                        ///< of this tile
     std::unique_ptr<raster::Fragments> fragments;          ///< only where a pass works on points
     std::unique_ptr<lighting::LightingChannels> lighting;  ///< with them, and for an environment behind the objects
     TileColor color;

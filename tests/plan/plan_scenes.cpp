@@ -164,6 +164,7 @@ Scene random_plan_scene(std::uint32_t seed) {
     choose_shading(random, scene);
     choose_fog(random, scene);
     choose_environment(random, scene);
+    if (random.one_in(6)) scene.shading.rate = random.integer(2, 4);
     drop_maps_without_uv(scene);
     scene::TangentMeshes made;
     add_tangents(scene, made);

@@ -11,14 +11,15 @@ using namespace kreda::tests;
 
 namespace {
 
-void check(const AblationReport& report) {
+/// At most one of `share` passes may be idle with a reason.
+void check(const AblationReport& report, int share) {
     for (const std::string& pass : report.useless) MESSAGE("changes nothing: ", pass);
     for (const std::string& scene : report.missing) MESSAGE("something is missing: ", scene);
     MESSAGE(report.passes, " passes left out, ", report.idle.size(), " of them idle as the plan says they may be");
     CHECK(report.useless.empty());
     CHECK(report.missing.empty());
     for (const std::string& pass : report.idle) MESSAGE("idle: ", pass);
-    CHECK(static_cast<int>(report.idle.size()) <= report.passes / 50);
+    CHECK(static_cast<int>(report.idle.size()) <= report.passes / share);
 }
 
 void ablate_films(std::uint32_t first, std::uint32_t count) {
@@ -26,7 +27,7 @@ void ablate_films(std::uint32_t first, std::uint32_t count) {
     for (std::uint32_t seed = first; seed < first + count; ++seed) {
         ablate(random_plan_scene(seed), {}, "scene " + std::to_string(seed), report);
     }
-    check(report);
+    check(report, 50);
 }
 
 /// Each scene with some of the views that it can show.
@@ -43,7 +44,7 @@ void ablate_views(std::uint32_t first, std::uint32_t count) {
                    "scene " + std::to_string(seed) + ", " + std::string(view.name), report);
         }
     }
-    check(report);
+    check(report, 40);  // one quantity alone is black more often than their sum
 }
 
 }  // namespace

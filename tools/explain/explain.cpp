@@ -1,4 +1,5 @@
 #include "tools/explain/explain.hpp"
+#include "raster/shading_points.hpp"
 
 #include <algorithm>
 #include <optional>
@@ -91,11 +92,40 @@ void explain_sample(const SampleFacts& sample, Derivation& derivation) {
     explain_channels(sample, derivation);
 }
 
+/// Where the sample's colour comes from: from itself, or by shading.rate from the point that is lit for its block.
+glm::ivec2 lit_for(const Frame& frame, int x, int y) {
+    const int rate = frame.plan.shading_rate;
+    if (rate == 1) return {x, y};
+    const raster::TileGrid& grid = frame.buffers.triangles.grid;
+    const raster::TileArea area =
+        tile_area(grid, frame.plan.viewport, grid.tile_of(y) * grid.columns + grid.tile_of(x));
+    const auto scratch = std::make_unique<scene::TileScratch>();
+    const auto points = std::make_unique<raster::ShadingPoints>();
+    rasterize_tile(frame.buffers.streams, frame.buffers.triangles, area, scratch->visibility);
+    collect_shading_points(scratch->visibility, area, frame.buffers.triangles, rate, scratch->runs, *points);
+    const int point = points->of[(y - area.y) * raster::kTileSide + x - area.x];
+    return {area.x + point % raster::kTileSide, area.y + point / raster::kTileSide};
+}
+
+void explain_shading_rate(const scene::RenderPlan& plan, int x, int y, const SampleFacts& lit, Derivation& derivation) {
+    if (plan.shading_rate == 1) return;
+    const std::string side = std::to_string(plan.shading_rate);
+    Section section{"shading_rate", "the point that is lit", {}};
+    section.say("shading.rate = " + side + ": of the samples of a triangle in a block of " + side + " x " + side +
+                " one is lit. Sample (" + std::to_string(x) + ", " + std::to_string(y) +
+                ") of the whole picture has the colour of sample (" + std::to_string(lit.x) + ", " +
+                std::to_string(lit.y) + "), which the rest is about.");
+    derivation.sections.push_back(section);
+}
+
 Explanation explain_in(const Frame& frame, const PixelRequest& request) {
     const int n = frame.plan.samples;
     std::vector<SampleFacts> samples;
     for (int j = 0; j < n; ++j) {
-        for (int i = 0; i < n; ++i) samples.push_back(look_at_sample(frame, request.x * n + i, request.y * n + j));
+        for (int i = 0; i < n; ++i) {
+            const glm::ivec2 lit = lit_for(frame, request.x * n + i, request.y * n + j);
+            samples.push_back(look_at_sample(frame, lit.x, lit.y));
+        }
     }
     const glm::ivec2 chosen = choose_sample(request, n, samples);
     const SampleFacts& sample = samples[static_cast<std::size_t>(chosen.y * n + chosen.x)];
@@ -108,6 +138,7 @@ Explanation explain_in(const Frame& frame, const PixelRequest& request) {
                        " x " + std::to_string(frame.scene.image.height);
     explain_plan(frame.scene, derivation);
     if (n > 1) explain_samples(request, n, samples, chosen, derivation);
+    explain_shading_rate(frame.plan, request.x * n + chosen.x, request.y * n + chosen.y, sample, derivation);
     explain_sample(sample, derivation);
     std::vector<glm::vec3> radiance;
     for (const SampleFacts& s : samples) radiance.push_back(s.radiance);
@@ -135,8 +166,12 @@ SampleFacts look_at_sample(const Frame& frame, int x, int y) {
         for (int c = 0; c < 3; ++c) sample.radiance[c] = sample.passes->color.plane[c][place];
         return sample;
     }
-    const raster::Run run{static_cast<std::uint16_t>(x - area.x), static_cast<std::uint16_t>(y - area.y), 1,
-                          sample.seen().triangle.material, sample.seen().id};
+    const raster::Run run{static_cast<std::uint16_t>(x - area.x),
+                          static_cast<std::uint16_t>(y - area.y),
+                          1,
+                          1,
+                          sample.seen().triangle.material,
+                          sample.seen().id};
     work_batch(frame, area, batch_passes_of(frame.tile_passes), &run, 1, *sample.passes);
     sample.radiance = sample.passes->lighting->radiance.at(0);
     return sample;

@@ -168,7 +168,7 @@ glm::vec3 corner_weights_at(const VertexStreams& streams, const ScreenTriangle& 
     set.chunks.resize(1);
     set.chunks[0].triangles.push_back({{0, 1, 2}, 0, 0});
     const raster::TileArea area{x, y, 1, 1, 0};
-    const raster::Run run{0, 0, 1, 0, 0};
+    const raster::Run run{0, 0, 1, 1, 0, 0};
     const auto fragments = std::make_unique<raster::Fragments>();
     interpolate_runs(corners, set, area, &run, 1, {.color = true}, interpolation, *fragments);
     return fragments->color.at(0);
