@@ -34,6 +34,8 @@ std::vector<Choice> picture_choices() {
         of_words("transfer function", "image", "transfer", "srgb", "what a display does", kEverywhere),
         of_words("shading frequency", "shading", "frequency", "phong", "light where it is seen",
                  "not with shadows that are found at the pixels"),
+        of_numbers("shading rate", "shading", "rate", {4, 3, 2, 1}, "a point for every sample",
+                   "shading.frequency = \"phong\""),
         of_words("interpolation", "shading", "interpolation", "perspective", "what a perspective does", kEverywhere),
         of_numbers("tessellation", "object", "detail", {8, 16, 32, 64, 128}, "triangles smaller than a pixel",
                    "built-in shapes"),

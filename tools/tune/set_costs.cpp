@@ -23,7 +23,7 @@ bool is_film(const scene::PlannedPass& pass) {
 }
 
 bool is_of_samples(const scene::PlannedPass& pass) {
-    return pass.cost.items == "samples";
+    return pass.cost.items == "samples" || pass.cost.items.starts_with("points");  // one for a block of samples
 }
 
 /// At every sample, or wherever light is computed.
@@ -59,9 +59,10 @@ double cost_of_pass(const SetCosts& costs, const scene::PlannedPass& pass) {
     return costs.by == CostBy::plan ? 1e-6 * pass.cost.operations() : rate_of(costs, pass) * work_of(pass);
 }
 
-double lit_points(const scene::PlanCounts& counts, scene::ShadingFrequency frequency) {
-    switch (frequency) {
-        case scene::ShadingFrequency::phong: return static_cast<double>(counts.samples);
+double lit_points(const scene::PlanCounts& counts, const scene::RenderPlan& plan) {
+    const double block = static_cast<double>(plan.shading_rate) * plan.shading_rate;
+    switch (plan.frequency) {
+        case scene::ShadingFrequency::phong: return static_cast<double>(counts.samples) / block;
         case scene::ShadingFrequency::gouraud: return static_cast<double>(counts.vertices);
         case scene::ShadingFrequency::flat: return static_cast<double>(counts.triangles);
     }
@@ -71,7 +72,7 @@ double lit_points(const scene::PlanCounts& counts, scene::ShadingFrequency frequ
 SetCost cost_of_scene(const scene::Scene& scene, const SetCosts& costs) {
     const scene::RenderPlan plan = make_plan(scene);
     SetCost cost;
-    cost.lit = std::max(1.0, lit_points(count(scene, plan), plan.frequency));
+    cost.lit = std::max(1.0, lit_points(count(scene, plan), plan));
     cost.lit_at_samples = plan.frequency == scene::ShadingFrequency::phong;
     cost.samples = scene.image.samples;
     cost.bake = 1e-6 * baking_operations(plan);

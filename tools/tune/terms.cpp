@@ -122,6 +122,7 @@ void add_picture_terms(TermSubject& subject) {
     add_supersampling(subject);
     const bool lit = subject.plan.has_lights || subject.plan.lit_by_environment;
     if (lit) add_choice(subject, "shading", -1, "frequency", "", TermKind::structural);
+    if (lit) add_choice(subject, "shading", -1, "rate");
     if (!lit) prune(subject, "shading frequency", "nothing is lit");
     if (subject.scene.camera.projection == raster::Projection::orthographic) {
         prune(subject, "interpolation", "parallel rays: with and without perspective are the same");
