@@ -11,6 +11,7 @@ sys.path.insert(0, str(SITE))
 import check_site
 import glossary
 import pages
+import reference
 import symbols
 import values
 
@@ -47,6 +48,14 @@ class Symbols(unittest.TestCase):
         table.find_in(formula, table.keys, found, free, set())
         self.assertEqual(list(found), ["k_d", "dt"])
         self.assertEqual(free, ["x"])  # π needs no explanation, x does
+
+
+class Reference(unittest.TestCase):
+    def test_words_behind_several_members_are_those_of_each(self):
+        self.assertEqual(reference.spread("    float u = 0.0f, v[kSize];  ///< texels\n"),
+                         "    float u = 0.0f; /**< texels */ float v[kSize]; /**< texels */\n")
+        one = "    float u = 0.0f;  ///< texels\n    glm::vec3 color{1, 2, 3};  ///< linear RGB\n"
+        self.assertEqual(reference.spread(one), one)
 
 
 class Links(unittest.TestCase):
