@@ -23,6 +23,13 @@ GUIDES = {
 }
 
 
+def plain(markdown):
+    """Words without marks: of a goal, for the index."""
+    text = re.sub(r"<!--.*?-->", "", markdown)
+    text = re.sub(r"\[([^\]]*)\]\([^)]*\)", r"\1", text)
+    return re.sub(r"[*`$]", "", text).replace("\n", " ").strip()
+
+
 @dataclass
 class Page:
     """A page of the site: `source` is its Markdown, seen from the repository's root; `file` its name in the site."""

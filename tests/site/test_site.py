@@ -9,6 +9,7 @@ from pathlib import Path
 SITE = Path(sys.argv.pop())
 sys.path.insert(0, str(SITE))
 import check_site
+import gallery
 import glossary
 import pages
 import reference
@@ -56,6 +57,33 @@ class Reference(unittest.TestCase):
                          "    float u = 0.0f; /**< texels */ float v[kSize]; /**< texels */\n")
         one = "    float u = 0.0f;  ///< texels\n    glm::vec3 color{1, 2, 3};  ///< linear RGB\n"
         self.assertEqual(reference.spread(one), one)
+
+
+class Gallery(unittest.TestCase):
+    def shown(self, *pictures, output=""):
+        """The gallery of lesson 24, whose example drew these."""
+        with tempfile.TemporaryDirectory() as folder:
+            drawn = Path(folder) / "24_shading"
+            drawn.mkdir()
+            for name, width in pictures:
+                (drawn / name).write_bytes(b"\x89PNG\r\n\x1a\n" + b"\0\0\0\rIHDR" + width.to_bytes(4, "big") + (9).to_bytes(4, "big"))
+            if output:
+                (drawn / "output.txt").write_text(output)
+            lesson = pages.Page("docs/24_shading.md", "24_shading.html", "Flat & smooth", number="24", goal="See *why* `a < b`.")
+            return gallery.body([lesson], Path(folder), Path(folder), lambda p: p.file, lambda p, picture: f"24/{picture.name}")
+
+    def test_pictures_stand_under_their_lesson_and_lead_to_it(self):
+        text = self.shown(("two_balls.png", 640), ("dot.png", 20), output="n.l = 0.5 < 1\n")
+        self.assertIn('<h2 id="family-2"><b>2x</b> Local illumination</h2>', text)
+        self.assertIn('<a href="24_shading.html"><b>24</b> Flat &amp; smooth</a>', text)
+        self.assertIn("<p>See why a &lt; b.</p>", text)
+        self.assertIn('<img src="24/two_balls.png" alt="two balls" width="640" height="9" loading="lazy">', text)
+        self.assertRegex(text, 'src="24/dot.png"[^>]* class="small"')
+        self.assertIn("n.l = 0.5 &lt; 1", text)
+        self.assertNotIn("Fog", text)
+
+    def test_without_pictures_it_says_so(self):
+        self.assertIn("no pictures yet", self.shown())
 
 
 class Links(unittest.TestCase):
