@@ -16,6 +16,7 @@ import glossary
 import live
 import pages
 import pandoc
+import paper
 import reference
 import search_index
 import symbols
@@ -192,6 +193,7 @@ class Site:
         with ThreadPoolExecutor(2) as pool:
             list(pool.map(self.source, sorted(self.sources)))
         self.metadata.unlink()
+        self.bodies = {page.source: body for page, body in bodies}
 
 
 def main():
@@ -200,12 +202,15 @@ def main():
     parser.add_argument("--kreda", default=ROOT / "build/release/bin/kreda", type=Path,
                         help="the program that explains the pages' pixels (build/release/bin/kreda)")
     parser.add_argument("--examples", default=ROOT / "out", type=Path, help="folder that the examples drew into (out)")
+    parser.add_argument("--pdf", action="store_true", help="print all lessons, too: course.pdf beside the site's folder (with Chromium)")
     parser.add_argument("-v", "--verbose", action="store_true", help="name every symbol that does not resolve")
     parser.add_argument("--symbols", action="store_true", help="build nothing: does every symbol resolve?")
     options = parser.parse_args()
     if not pandoc.is_there():
         raise SystemExit("docs: pandoc is missing; install it (apt-get install pandoc) and try again. "
                          "The gallery needs no pandoc: ./course examples")
+    if options.pdf and not paper.browser():
+        raise SystemExit("docs: the PDF is printed by Chromium or Chrome, and neither is there; install one (apt-get install chromium)")
     begin = time.monotonic()
     if options.symbols:
         lessons = pages.lessons(ROOT)
@@ -221,6 +226,10 @@ def main():
     said = site.symbols.report()
     print(f"{len(site.pages)} pages in {time.monotonic() - begin:.0f} s; {said}")
     print(f"The site: file://{options.out.resolve()}/index.html")
+    if options.pdf:
+        to = options.out.resolve().parent / "course.pdf"
+        count = paper.write(site.folder, site.lessons, site.pages, site.bodies, to)
+        print(f"The course on paper: file://{to}, {count} pages, {to.stat().st_size / 1e6:.1f} MB, {time.monotonic() - begin:.0f} s in all")
 
 
 if __name__ == "__main__":

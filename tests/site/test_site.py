@@ -12,6 +12,7 @@ import check_site
 import gallery
 import glossary
 import pages
+import paper
 import reference
 import symbols
 import values
@@ -84,6 +85,31 @@ class Gallery(unittest.TestCase):
 
     def test_without_pictures_it_says_so(self):
         self.assertIn("no pictures yet", self.shown())
+
+
+class Paper(unittest.TestCase):
+    PAGE = pages.Page("docs/24_shading.md", "24_shading.html", "Shading", number="24")
+    OTHER = pages.Page("docs/22_phong_terms.md", "22_phong_terms.html", "Phong", number="22")
+
+    def chapter(self, body):
+        return paper.on_paper(self.PAGE, body, {p.file: p for p in (self.PAGE, self.OTHER)})
+
+    def test_links_lead_to_chapters_or_are_words(self):
+        self.assertEqual(self.chapter('<h2 id="goal">Goal</h2><a class="x" href="#goal">up</a>'),
+                         '<h3 id="24_shading--goal">Goal</h3><a class="x" href="#24_shading--goal">up</a>')
+        self.assertEqual(self.chapter('<a class="x" href="22_phong_terms.html#eq-1">(1)</a>'), '<a class="x" href="#22_phong_terms--eq-1">(1)</a>')
+        self.assertEqual(self.chapter('<a class="x" href="source/a.html#L-3"><code>a</code></a>'), "<code>a</code>")
+        self.assertIn("https://example.org", self.chapter('<a class="x" href="https://example.org">w</a>'))
+
+    def test_answers_are_open_and_boxes_of_symbols_stay_away(self):
+        body = '<div class="tips"><div class="tip">n</div></div><details class="symbols"><dl>n</dl></details><details><summary>Answer</summary>2</details>'
+        self.assertEqual(self.chapter(body), "<details open><summary>Answer</summary>2</details>")
+
+    def test_pages_of_a_pdf(self):
+        pdf = (b"1 0 obj\n<</Type /Catalog /Pages 2 0 R /Dests 6 0 R>>\nendobj\n2 0 obj\n<</Type /Pages /Kids [3 0 R 5 0 R]>>\nendobj\n"
+               b"3 0 obj\n<</Type /Pages /Parent 2 0 R /Kids [4 0 R]>>\nendobj\n4 0 obj\n<</Type /Page>>\nendobj\n5 0 obj\n<</Type /Page>>\nendobj\n"
+               b"6 0 obj\n<</a#2db [5 0 R /XYZ 0 700 0] /c [4 0 R /XYZ 0 1 0]>>\nendobj\n")
+        self.assertEqual(paper.pages_of(pdf), {"a-b": 2, "c": 1})
 
 
 class Links(unittest.TestCase):
