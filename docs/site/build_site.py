@@ -123,7 +123,7 @@ class Site:
         body = re.sub(r' role="(?:doc-\w+|list|listitem)"', "", body)
         values = {"pagetitle": html.escape(f"{page.number} {page.title}".strip()), "title": html.escape(page.title),
                   "number": page.number, "body": body, "nav": "yes", "menu": menu(self.lessons, self.guides, page),
-                  "source": page.source.replace("/", "--"), **more}
+                  "source": page.source.replace("/", "--"), "path": page.source.replace("/", "/<wbr>"), **more}
         values.setdefault("heading", heading(page, values.get("eyebrow", "")))
         text = template.fill(self.template, values)
         if depth:
