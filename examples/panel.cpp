@@ -116,7 +116,11 @@ Composition compose(glm::ivec2 size, int columns, const std::vector<Panel>& pane
     const tools::ThemeColors colors = colors_of(theme);
     const auto inked = [&](const Panel& panel) { return panel.is_drawing && theme == tools::Theme::light; };
     std::vector<Image> images;
-    for (const Panel& panel : panels) images.push_back(inked(panel) ? inked_image(panel) : panel.image);
+    const auto add = [&](const Panel& panel) { images.push_back(inked(panel) ? inked_image(panel) : panel.image); };
+    for (const Panel& panel : panels) add(panel);
+    while (images.size() % static_cast<std::size_t>(columns) != 0) {
+        add(empty_panel({images.back().width, images.back().height}));
+    }
     Composition whole{montage(size.x, size.y, columns, images, colors.division), {}};
     const float type = common_size(size.y, panels);
     for (std::size_t i = 0; i < panels.size(); ++i) {

@@ -127,7 +127,7 @@ void list_chunk(const ChunkTask& task, const MeshInstance& instance, const Setup
                 const VertexStreams& streams, DrawList& list, TriangleCounts& counts,
                 std::vector<PendingClip>& pending) {
     list.count = 0;
-    list.make_room(kTrianglesPerChunk + 1);
+    list.make_room(task.triangle_count + 1);
     const std::vector<MeshPart>& parts = instance.mesh->parts;
     const std::uint32_t first = task.first_triangle, last = first + task.triangle_count;
     const auto is_before = [&](const MeshPart& part) { return part.first_triangle + part.triangle_count <= first; };
@@ -278,6 +278,10 @@ void add(TriangleCounts& sum, const TriangleCounts& counts) {
 }
 
 }  // namespace
+
+std::size_t bytes_to_set_up(std::size_t triangles) {
+    return (std::min<std::size_t>(triangles, kTrianglesPerChunk) + 1) * (sizeof(ScreenTriangle) + sizeof(TileRange));
+}
 
 int fan_apex(const ScreenVertex* corner, int count) {
     for (int apex = 0; apex < count; ++apex) {

@@ -41,6 +41,9 @@ inline constexpr int kChunkShift = 16;
 /// As many chunks as a triangle's number can name; the last number is no triangle.
 inline constexpr std::uint32_t kMostChunks = (1u << (32 - kChunkShift)) - 1;
 
+/// Bytes that a thread needs while it sets up the triangles of a mesh that has so many; where some are clipped, twice.
+[[nodiscard]] std::size_t bytes_to_set_up(std::size_t triangles);
+
 /// The set-up triangles of one chunk, in the order in which they are drawn, and for each tile those that touch it.
 struct TriangleChunk {
     AlignedVector<ScreenTriangle> triangles;    ///< those that are drawn

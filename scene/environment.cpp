@@ -21,7 +21,10 @@ int environment_size(const EnvironmentSettings& settings) {
 lighting::BakeCost environment_cost(const EnvironmentSettings& settings) {
     const int size = environment_size(settings);
     if (!settings.image) return lighting::cube_cost(size, lighting::kSkyDirections);
-    return lighting::cube_cost(size, lighting::directions_for(settings.image->width, settings.image->height, size));
+    const int width = settings.image->width, height = settings.image->height;
+    lighting::BakeCost cost = lighting::cube_cost(size, lighting::directions_for(width, height, size));
+    cost.bytes_while_baking = lighting::bytes_of_equirect_map(width, height);
+    return cost;
 }
 
 lighting::CubeMap environment_cube(const EnvironmentSettings& settings, const lighting::Placement& placement,

@@ -165,7 +165,10 @@ inline bool meet_triangles(const Bvh& bvh, const LightRay& ray, Ask ask) {
 }  // namespace
 
 std::vector<Triangle> gather_triangles(std::span<const Occluder> occluders) {
+    std::size_t most = 0;
+    for (const Occluder& occluder : occluders) most += occluder.indices.size() / 3;
     std::vector<Triangle> triangles;
+    triangles.reserve(most);
     for (const Occluder& occluder : occluders) {
         for (std::size_t i = 0; i + 2 < occluder.indices.size(); i += 3) {
             const Triangle t{occluder.positions[occluder.indices[i]], occluder.positions[occluder.indices[i + 1]],
@@ -174,6 +177,10 @@ std::vector<Triangle> gather_triangles(std::span<const Occluder> occluders) {
         }
     }
     return triangles;
+}
+
+std::size_t bytes_to_build_bvh(std::size_t triangles) {
+    return triangles * (sizeof(Triangle) + sizeof(Item));
 }
 
 Bvh build_bvh(std::vector<Triangle> triangles) {
@@ -204,6 +211,7 @@ Bvh build_bvh(std::vector<Triangle> triangles) {
         todo.push_back({node.first + 1, middle, range.end, range.depth + 1});
         bvh.nodes.resize(bvh.nodes.size() + 2);
     }
+    bvh.triangles.reserve(items.size());
     for (const Item& item : items) bvh.triangles.push_back(triangles[item.triangle]);
     return bvh;
 }

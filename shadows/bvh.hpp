@@ -1,6 +1,7 @@
 // A bounding volume hierarchy: which triangles can a ray to the light meet at all?
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 #include <span>
 #include <vector>
@@ -28,6 +29,9 @@ struct Bvh {
 
 /// All triangles of the occluders whose corners are finite.
 [[nodiscard]] std::vector<Triangle> gather_triangles(std::span<const Occluder> occluders);
+
+/// Bytes that build_bvh takes while it runs, with the triangles that it is given.
+[[nodiscard]] std::size_t bytes_to_build_bvh(std::size_t triangles);
 
 /// Split by the surface area heuristic over bins.                                     Wald 2007
 [[nodiscard]] Bvh build_bvh(std::vector<Triangle> triangles);

@@ -119,6 +119,11 @@ CellRange cells_in_row(const LightGrid& grid, const LightTriangle& triangle, int
     return {column(x_low - kCellMargin), column(x_high + kCellMargin)};
 }
 
+std::size_t bytes_to_draw_irregular(std::size_t samples, std::size_t triangles) {
+    return samples * (2 * sizeof(LightPoint) + sizeof(std::uint32_t)) +
+           triangles * (sizeof(Triangle) + sizeof(LightTriangle));
+}
+
 void irregular_shadow(std::span<const Occluder> occluders, const ShadowLight& light, const VisibleSamples& samples,
                       std::span<float> shadow) {
     std::fill(shadow.begin(), shadow.end(), 1.0f);

@@ -2,6 +2,8 @@
 // is tested exactly. Hard shadows without a resolution and without a bias.     Johnson et al. 2005; Aila & Laine 2004
 #pragma once
 
+#include <cstddef>
+
 #include "shadows/light_grid.hpp"
 #include "shadows/light_ray.hpp"
 
@@ -46,6 +48,10 @@ inline bool shadows_point(const LightTriangle& t, const glm::dvec3& q, const glm
     const bool any_positive = (U > 0.0) | (V > 0.0) | (W > 0.0);
     return any_negative != any_positive && separates(t.world, light, p);
 }
+
+/// Bytes that irregular_shadow takes while it runs: points and cells, the points once more while they are sorted, and
+/// the casters' triangles as the light sees them.
+[[nodiscard]] std::size_t bytes_to_draw_irregular(std::size_t samples, std::size_t triangles);
 
 /// One factor for every visible sample: 1 lit, 0 in shadow.
 void irregular_shadow(std::span<const Occluder> occluders, const ShadowLight& light, const VisibleSamples& samples,

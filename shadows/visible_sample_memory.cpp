@@ -29,6 +29,10 @@ void copy_visibility(const raster::TileVisibility& tile, const raster::TileArea&
 
 }  // namespace
 
+std::size_t bytes_to_find_visible() {
+    return sizeof(Scratch);
+}
+
 void find_visible(const raster::VertexStreams& streams, const raster::TriangleSet& set,
                   raster::AttributeInterpolation interpolation, const raster::Viewport& viewport,
                   const glm::mat4& clip_from_world, VisibleSampleMemory& frame) {

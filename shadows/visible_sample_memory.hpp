@@ -1,6 +1,8 @@
 // All visible samples of a frame at once: what the methods that work frame by frame look at.
 #pragma once
 
+#include <cstddef>
+
 #include "raster/aligned_vector.hpp"
 #include "raster/triangle_setup.hpp"
 #include "shadows/shadow.hpp"
@@ -20,6 +22,9 @@ struct VisibleSampleMemory {
         return {viewport, clip_from_world, depth, position};
     }
 };
+
+/// Bytes that find_visible takes while it runs, a thread.
+[[nodiscard]] std::size_t bytes_to_find_visible();
 
 /// Draw the triangles of a set, tile by tile, and interpolate the position of every visible sample as shading does: the
 /// streams hold positions, and `frame` keeps its memory from call to call.

@@ -157,6 +157,10 @@ std::vector<FaceCrossing> faces_over(const VolumeFaces& faces, const VisibleSamp
     return crossings;
 }
 
+std::size_t bytes_to_count_volumes(std::size_t samples, std::size_t vertices, std::size_t triangles) {
+    return samples * sizeof(std::int32_t) + vertices * 2 * sizeof(glm::vec4) + triangles * 4 * sizeof(VolumeFace);
+}
+
 std::vector<std::uint32_t> volume_shadow(std::span<const VolumeCaster> casters, const ShadowLight& light,
                                          const VisibleSamples& samples, std::span<float> shadow) {
     const VolumeFaces faces = make_volume_faces(casters, light, samples);

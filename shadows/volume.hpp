@@ -4,6 +4,7 @@
 // Songy 1999, Carmack 2000.
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 #include <vector>
 
@@ -75,6 +76,10 @@ struct FaceCrossing {
 /// less that of the entries behind.
 [[nodiscard]] std::vector<FaceCrossing> faces_over(const VolumeFaces& faces, const VisibleSamples& samples, int x,
                                                    int y);
+
+/// Bytes that volume_shadow takes while it runs, at most: a counter a sample, and of closed casters the corners twice
+/// in clip space and two faces a triangle, with as many again for sides and what the clipper adds.
+[[nodiscard]] std::size_t bytes_to_count_volumes(std::size_t samples, std::size_t vertices, std::size_t triangles);
 
 /// One factor for every visible sample: 1 where the count is 0, else 0. Returns the casters that are not closed.
 std::vector<std::uint32_t> volume_shadow(std::span<const VolumeCaster> casters, const ShadowLight& light,

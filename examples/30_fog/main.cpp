@@ -53,7 +53,7 @@ Plot curves() {
     plot.series = {curve("linear", kDistance, linear), curve("exp", kDistance, exp), curve("exp2", kDistance, exp2)};
     plot.x_range = kDistance;
     plot.y_range = {0.0, 1.0};
-    plot.key = "outside top center horizontal";
+    plot.key = "outside top center horizontal samplen 2 width -2";
     return plot;
 }
 

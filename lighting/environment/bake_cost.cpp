@@ -14,6 +14,9 @@ constexpr double kFourTexels = 28.0;   // four floats each
 constexpr double kWeighted = 6.0;      // three channels times a weight, added
 constexpr double kFacet = 110.0;       // a facet that v sees, its mirrored direction, D, G and the sum
 
+/// A texel as a light: its direction, and radiance times solid angle.
+constexpr std::uint64_t kTexelLight = 2 * sizeof(glm::vec3);
+
 std::uint64_t texels_of(int size) {
     return std::uint64_t(kCubeFaces) * std::uint64_t(size) * std::uint64_t(size);
 }
@@ -43,10 +46,14 @@ BakeCost prefilter_cost(int size, const PrefilterSettings& settings) {
 }
 
 BakeCost irradiance_cost(int size, IrradianceForm form) {
-    if (form == IrradianceForm::sh9) return {texels_of(std::min(size, kShSourceSize)), 120.0, sizeof(Sh9)};
+    if (form == IrradianceForm::sh9) {
+        const std::uint64_t texels = texels_of(std::min(size, kShSourceSize));
+        return {texels, 120.0, sizeof(Sh9), texels / kCubeFaces * kTexelLight};  // face by face
+    }
     const int target = IrradianceSettings{}.size;
     const double cosine_and_sum = 6.0 + kWeighted;
-    return {texels_of(target) * texels_of(std::min(size, kIrradianceSourceSize)), cosine_and_sum, bytes_of({target})};
+    const std::uint64_t texels = texels_of(std::min(size, kIrradianceSourceSize));
+    return {texels_of(target) * texels, cosine_and_sum, bytes_of({target}), texels * kTexelLight};
 }
 
 BakeCost brdf_cost(std::size_t maps) {

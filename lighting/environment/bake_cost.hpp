@@ -11,9 +11,10 @@ namespace kreda::lighting {
 
 /// One step of a bake and its result.
 struct BakeCost {
-    std::uint64_t count = 0;       ///< of what is summed: directions, samples, texels
-    double operations_each = 0.0;  ///< floating-point operations for one of them
-    std::uint64_t bytes = 0;       ///< of the map
+    std::uint64_t count = 0;               ///< of what is summed: directions, samples, texels
+    double operations_each = 0.0;          ///< floating-point operations for one of them
+    std::uint64_t bytes = 0;               ///< of the map
+    std::uint64_t bytes_while_baking = 0;  ///< of what is summed, where that is written down first
 
     /// All of them: count times operations_each.
     [[nodiscard]] double operations() const {

@@ -195,6 +195,10 @@ EnvironmentRepairs repair_environment(Image& image) {
     return repairs;
 }
 
+std::size_t bytes_of_equirect_map(int width, int height) {
+    return 4 * sizeof(float) * std::size_t(width + 2) * std::size_t(height + 2);
+}
+
 EquirectMap make_equirect_map(const Image& image) {
     const int w = image.width, h = image.height;
     EquirectMap map{w, h, {}};

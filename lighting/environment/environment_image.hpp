@@ -3,6 +3,7 @@
 //   row      v = 1/2 - atan2(y, sqrt(x^2 + z^2)) / pi    (+y on top)
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 
 #include <glm/vec2.hpp>
@@ -62,6 +63,9 @@ struct EquirectMap {
     int width = 0, height = 0;  ///< texels, without the border
     std::vector<float> texels;  ///< (height + 2) rows of (width + 2) texels
 };
+
+/// Bytes of the texels of such a map, made from an image of that size.
+[[nodiscard]] std::size_t bytes_of_equirect_map(int width, int height);
 
 /// Colour or grey; must be repaired.
 [[nodiscard]] EquirectMap make_equirect_map(const raster::Image& image);

@@ -80,6 +80,8 @@ std::vector<PlannedPass> plan_baking(const Scene& scene, const lighting::Environ
                           const char* items, const lighting::BakeCost& cost) {
         const PassCost pass_cost{items, cost.count, cost.operations_each};
         passes.push_back({std::string("bake ") + map, reason, {{buffer, cost.bytes}}, pass_cost, PassScope::once, run});
+        if (cost.bytes_while_baking == 0) return;
+        passes.back().buffers.push_back({"what it is made from, while baking", cost.bytes_while_baking});
     };
     bake(bake_cube, "environment", why_cube(scene, needs), "cube map with its mip levels, while baking", "directions",
          environment_cost(scene.environment));

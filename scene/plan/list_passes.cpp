@@ -7,6 +7,7 @@
 #include "scene/plan/pass_inputs.hpp"
 #include "scene/plan/plan_cost.hpp"
 #include "scene/plan/shadow_words.hpp"
+#include "shadows/visible_sample_memory.hpp"
 
 namespace kreda::scene {
 
@@ -47,16 +48,32 @@ void list_vertex_fog(Listing& list) {
         .buffers = {{"fog", list.counts.vertices * sizeof(float)}};
 }
 
+std::size_t largest_mesh(const Scene& scene) {
+    std::size_t most = 0;
+    for (const Object& object : scene.objects) most = std::max<std::size_t>(most, object.mesh->triangle_count());
+    return most;
+}
+
 void list_triangles(Listing& list) {
     const std::uint64_t count = list.counts.triangles;
     list.add(PassScope::frame, place_triangles, "triangles",
              "cull, clip and sort " + std::to_string(count) + " triangles into tiles", triangle_cost(list.counts))
         .buffers = {{list.plan.seen ? "triangles and bins" : "triangles and bins, at most",
-                     list.counts.drawn * (sizeof(raster::ScreenTriangle) + sizeof(std::uint16_t))}};
+                     list.counts.drawn * (sizeof(raster::ScreenTriangle) + sizeof(std::uint16_t))},
+                    {"those of one chunk, a thread, while it runs", raster::bytes_to_set_up(largest_mesh(list.scene))}};
     if (!list.plan.finds_sides) return;
     list.add(PassScope::frame, judge_sides, "sides",
              "shading.two_sided, and normals that contradict the winding: which side of a triangle is seen",
              side_cost(list.counts));
+}
+
+/// Maps are drawn one after the other, in memory that is as large as the largest of them needs.
+void add_memory_of_maps(Listing& list) {
+    std::uint64_t most = 0;
+    for (const PlannedShadow& shadow : list.plan.shadows) { most = std::max(most, bytes_to_draw(list.scene, shadow)); }
+    const auto first = std::find_if(list.passes.begin(), list.passes.end(),
+                                    [](const PlannedPass& pass) { return pass.run == build_shadow; });
+    if (most > 0) first->buffers.push_back({"vertices and triangles of the casters, at most", most});
 }
 
 void list_shadows(Listing& list) {
@@ -67,7 +84,8 @@ void list_shadows(Listing& list) {
         constexpr std::uint64_t kSample = sizeof(float) + sizeof(glm::vec3) + sizeof(std::uint32_t);
         list.add(PassScope::frame, collect_visible_samples, "visible samples",
                  "shadow.method looks at all samples that are seen, before any is lit", visibility_cost(list.counts))
-            .buffers = {{"depth, position and triangle", list.counts.samples * kSample}};
+            .buffers = {{"depth, position and triangle", list.counts.samples * kSample},
+                        {"one tile, a thread, while it runs", shadows::bytes_to_find_visible()}};
         if (list.plan.seen) list.passes.back().bound = "as for the shadows that ask for it";
     }
     for (const PlannedShadow& shadow : list.plan.shadows) {
@@ -79,6 +97,7 @@ void list_shadows(Listing& list) {
         if (list.plan.seen) pass.bound = "whether anything that is seen lies in it is known once it is there";
         list.passes.push_back(std::move(pass));
     }
+    add_memory_of_maps(list);
 }
 
 const char* where_lit(ShadingFrequency frequency) {

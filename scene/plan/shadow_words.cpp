@@ -2,7 +2,8 @@
 
 #include "scene/plan/shadow_cost.hpp"
 #include "shadows/bvh.hpp"
-#include "shadows/light_grid.hpp"
+#include "shadows/irregular.hpp"
+#include "shadows/volume.hpp"
 
 namespace kreda::scene {
 
@@ -12,6 +13,12 @@ using shadows::ShadowMethod;
 
 std::string count_of(std::size_t count, const std::string& thing) {
     return std::to_string(count) + " " + thing + (count == 1 ? "" : "s");
+}
+
+std::uint64_t vertices_of(const Scene& scene, const std::vector<int>& objects) {
+    std::uint64_t count = 0;
+    for (const int object : objects) count += scene.objects[static_cast<std::size_t>(object)].mesh->positions.size();
+    return count;
 }
 
 std::uint64_t triangles_of(const Scene& scene, const std::vector<int>& objects) {
@@ -47,19 +54,22 @@ Account account_of(const Scene& scene, const PlannedShadow& shadow, std::uint64_
         case ShadowMethod::exact:
             return {"shadow rays",
                     "one from every point, against a tree of " + count_of(triangles, "triangle"),
-                    {{"tree, at most", triangles * (2 * sizeof(shadows::BvhNode) + sizeof(shadows::Triangle))}}};
+                    {{"tree, at most", triangles * (2 * sizeof(shadows::BvhNode) + sizeof(shadows::Triangle))},
+                     {"boxes of its triangles, while it runs", shadows::bytes_to_build_bvh(triangles)}}};
         case ShadowMethod::planar:
             return account_of_frame("planar shadow", "onto " + count_of(shadow.receivers.size(), "flat object"),
                                     samples);
         case ShadowMethod::volume: {
             Account account = account_of_frame("shadow volumes", "behind " + count_of(triangles, "triangle"), samples);
-            account.buffers.push_back({"counters, while it runs", samples * sizeof(std::int32_t)});
+            account.buffers.push_back(
+                {"counters and faces, at most, while it runs",
+                 shadows::bytes_to_count_volumes(samples, vertices_of(scene, shadow.casters), triangles)});
             return account;
         }
         case ShadowMethod::irregular: {
             Account account = account_of_frame("irregular z-buffer", "of all visible samples", samples);
-            account.buffers.push_back({"points, while it runs", samples * sizeof(shadows::LightPoint)});
-            account.buffers.push_back({"cells, about, while it runs", samples * sizeof(std::uint32_t)});
+            account.buffers.push_back(
+                {"points, cells and triangles, while it runs", shadows::bytes_to_draw_irregular(samples, triangles)});
             return account;
         }
     }
@@ -67,6 +77,13 @@ Account account_of(const Scene& scene, const PlannedShadow& shadow, std::uint64_
 }
 
 }  // namespace
+
+std::uint64_t bytes_to_draw(const Scene& scene, const PlannedShadow& shadow) {
+    if (shadow.map.settings.method != ShadowMethod::map) return 0;
+    constexpr std::uint64_t kTriangle = sizeof(raster::ScreenTriangle) + sizeof(std::uint16_t);
+    return vertices_of(scene, shadow.casters) * sizeof(raster::ScreenVertex) +
+           triangles_of(scene, shadow.casters) * kTriangle;
+}
 
 PlannedPass pass_of(const Scene& scene, const PlannedShadow& shadow, const raster::Viewport& viewport) {
     const std::uint64_t samples =

@@ -14,6 +14,7 @@
 #include "raster/vertex_stage.hpp"
 #include "scene/plan/plan.hpp"
 #include "scene/scene.hpp"
+#include "shadows/shadow_map.hpp"
 #include "shadows/visible_sample_memory.hpp"
 
 namespace kreda::scene {
@@ -41,6 +42,7 @@ struct RenderBuffers {
     raster::TriangleSet triangles;
     shadows::VisibleSampleMemory visible;               ///< all samples at once, for shadows that are found that way
     std::vector<ShadowMemory> shadows;                  ///< one for each of the plan's shadows
+    shadows::ShadowMapBuffers seen_by_light;            ///< what a shadow map is drawn from; each map in turn
     std::vector<std::vector<glm::vec3>> flat_color;     ///< flat shading: one a triangle, chunk by chunk
     std::vector<std::unique_ptr<TileScratch>> scratch;  ///< one a thread
     std::shared_ptr<const PreparedEnvironment>

@@ -39,7 +39,7 @@ void build_shadow(const PassWork& work) {
     for (const int object : planned.casters) {
         casters.push_back(frame.buffers.instances[static_cast<std::size_t>(object)]);
     }
-    draw_shadow_map(casters, planned.map, memory.drawing, memory.map);
+    draw_shadow_map(casters, planned.map, frame.buffers.seen_by_light, memory.map);
 }
 
 namespace {

@@ -17,7 +17,6 @@ namespace kreda::scene {
 
 /// The memory of one light's shadows; kept from frame to frame.
 struct ShadowMemory {
-    shadows::ShadowMapBuffers drawing;
     shadows::ShadowMap map;
     shadows::ExactShadow exact;
     bool is_exact_ready = false;

@@ -6,12 +6,16 @@
 
 namespace {
 
-std::atomic<std::int64_t> in_use{0};
+std::atomic<std::int64_t> in_use{0}, peak{0};
 
 }  // namespace
 
 std::int64_t kreda::tests::bytes_in_use() {
     return in_use.load();
+}
+
+std::int64_t kreda::tests::most_bytes_since() {
+    return peak.exchange(in_use.load());
 }
 
 #if !defined(KREDA_SANITIZED)
@@ -24,7 +28,8 @@ void* take(std::size_t size, std::size_t alignment) {
     void* const block = std::aligned_alloc(line, (size + line + line - 1) / line * line);
     if (!block) throw std::bad_alloc();
     *static_cast<std::size_t*>(block) = size;
-    in_use += static_cast<std::int64_t>(size);
+    const std::int64_t now = in_use += static_cast<std::int64_t>(size);
+    for (std::int64_t before = peak; before < now && !peak.compare_exchange_weak(before, now);) {}
     return static_cast<char*>(block) + line;
 }
 

@@ -74,7 +74,7 @@ std::string plotted(const Plot& plot, std::size_t s) {
         text += "points linetype " + type + title;
     }
     if (series.point_names.empty()) return text;
-    return text + ", " + data + " using 1:2:3 with labels left offset 0.8,0.4 textcolor rgb ink notitle";
+    return text + ", " + data + " using 1:2:3 with labels left offset 0.8,0.7 textcolor rgb ink notitle";
 }
 
 /// The least of 1, 2, 5 times a power of 10 that makes no more than `most` steps.
@@ -114,6 +114,8 @@ std::string settings(const Plot& plot, const std::string& title, const PlotLook&
     std::string text =
         "set title " + quoted(title) + "\nset xlabel " + quoted(plot.x) + "\nset ylabel " + quoted(plot.y) + "\n";
     if (!plot.x_range || !plot.y_range) text += "set offsets graph 0.02, graph 0.02, graph 0.02, graph 0.02\n";
+    // Markers grow with the letters: one that tells a curve from others does so from the last row, too.
+    text += "set for [i=1:8] linetype i pointsize " + number(std::max(0.9, look.type_size / 16.0)) + "\n";
     // A number is about three letters wide, and as much stays free beside it.
     const double wide = look.size.x / (6.0 * look.type_size), high = look.size.y / (4.0 * look.type_size);
     return text + axis("x", plot.x_range, plot.log_x, wide) + axis("y", plot.y_range, plot.log_y, high) + "set key " +

@@ -12,7 +12,7 @@ set title textcolor rgb ink
 set key textcolor rgb ink
 set xlabel textcolor rgb ink
 set ylabel textcolor rgb ink
-set for [i=1:8] linetype i linecolor rgb word(colors, i) linewidth 2.5 pointsize 0.9
+set for [i=1:8] linetype i linecolor rgb word(colors, i) linewidth 2.5
 set linetype 1 dashtype 1 pointtype 7
 set linetype 2 dashtype (8,4) pointtype 5
 set linetype 3 dashtype (3,3) pointtype 9
