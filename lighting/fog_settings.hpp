@@ -14,13 +14,13 @@ enum class FogFrequency { pixel, vertex };
 
 /// The [fog] table of a scene.
 struct Fog {
-    FogMode mode = FogMode::none;
-    glm::vec3 color{0.6f, 0.65f, 0.7f};  ///< c_f, linear RGB
-    float start = 5.0f;                  ///< linear: z_start, world units
-    float end = 30.0f;                   ///< linear: z_end, world units
-    float density = 0.1f;                ///< exp, exp2: d_f, per world unit, >= 0
-    FogDistance distance = FogDistance::radial;
-    FogFrequency frequency = FogFrequency::pixel;
+    FogMode mode = FogMode::none;                  ///< none: there is no fog
+    glm::vec3 color{0.6f, 0.65f, 0.7f};            ///< c_f, linear RGB
+    float start = 5.0f;                            ///< linear: z_start, world units
+    float end = 30.0f;                             ///< linear: z_end, world units
+    float density = 0.1f;                          ///< exp, exp2: d_f, per world unit, >= 0
+    FogDistance distance = FogDistance::radial;    ///< what z of the formulas is: along the ray or along the axis
+    FogFrequency frequency = FogFrequency::pixel;  ///< where f is computed
 };
 
 }  // namespace kreda::lighting

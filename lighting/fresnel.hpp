@@ -20,8 +20,8 @@ namespace kreda::lighting {
 
 /// F for light that swings across (s) and within (p) the plane of incidence.
 struct PolarizedFresnel {
-    float s;
-    float p;
+    float s;  ///< in [0, 1]
+    float p;  ///< in [0, 1]
 };
 
 /// Unpolarized light is half of each   F = (R_s + R_p) / 2                                        eq. (3), (12)
@@ -280,8 +280,8 @@ inline constexpr float kCorrectionCosineAsPrinted = 0.10f;  ///< 84.26 degrees: 
 
 /// a and lambda of one channel of fresnel_corrected_schlick.
 struct SchlickCorrection {
-    float a = 0.0f;  ///< 2 n, or 0: no correction where Schlick is not above the exact value
-    float lambda = 1.0f;
+    float a = 0.0f;       ///< 2 n, or 0: no correction where Schlick is not above the exact value
+    float lambda = 1.0f;  ///< the exponent of (1 - cos theta) in the correction
 };
 
 /// lambda = ln(delta / (a c_m)) / ln(1 - c_m),   delta = F_14(c_m) - F(c_m)

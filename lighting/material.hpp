@@ -54,14 +54,15 @@ struct PhongMaterial {
 
 /// Constants of the microfacet model (Gelemanovic 2018, section 2).
 struct CookTorranceMaterial {
-    glm::vec3 albedo{0.8f};
-    float metallic = 0.0f;   ///< 0 dielectric, 1 metal
-    float roughness = 0.5f;  ///< perceptual; alpha = roughness^2
-    float ao = 1.0f;         ///< share of the environment's light that arrives
-    Distribution distribution = Distribution::ggx;
-    Geometry geometry = Geometry::schlick_ggx;
-    FresnelMethod fresnel = FresnelMethod::schlick;
-    EnergyCompensation energy_compensation = EnergyCompensation::none;
+    glm::vec3 albedo{0.8f};                          ///< c, linear RGB, 0..1
+    float metallic = 0.0f;                           ///< 0 dielectric, 1 metal
+    float roughness = 0.5f;                          ///< perceptual; alpha = roughness^2
+    float ao = 1.0f;                                 ///< share of the environment's light that arrives
+    Distribution distribution = Distribution::ggx;   ///< D
+    Geometry geometry = Geometry::schlick_ggx;       ///< G
+    FresnelMethod fresnel = FresnelMethod::schlick;  ///< F
+    EnergyCompensation energy_compensation =
+        EnergyCompensation::none;              ///< what replaces the light that single reflection loses
     std::optional<glm::vec3> ior;              ///< n per channel (685, 535, 475 nm); with it fresnel uses n and k
     std::optional<glm::vec3> extinction;       ///< k per channel
     std::string measured;                      ///< instead of ior: a name of measured_materials()
@@ -79,28 +80,28 @@ struct Map {
     std::shared_ptr<const std::string> bytes;  ///< of a picture that stands within another file; null: read `file`
     int channel = 0;                           ///< maps of one value: 0, 1, 2 red, green, blue of the picture
     glm::vec3 factor{1.0f};                    ///< of each component, linear
-    float offset = 0.0f;
+    float offset = 0.0f;                       ///< of each component, linear
 };
 
 /// Maps replace the constant of the same name, but emission multiplies it: a file of bytes ends at 1, light does not.
 /// normal bends the interpolated normal.
 struct MaterialMaps {
-    Map albedo, diffuse, emission, metallic, roughness, ao, normal;
+    Map albedo, diffuse, emission, metallic, roughness, ao, normal;  ///< a map each
     bool normal_from_height = false;       ///< the file of `normal` holds heights; its texels are made from them
     float bump_scale = 0.02f;              ///< heights: how far white stands above black, in widths of the picture
     NormalMapY normal_y = NormalMapY::up;  ///< where green points: up (OpenGL) or down (DirectX)
-    TextureFilter filter = TextureFilter::trilinear;
-    TextureWrap wrap = TextureWrap::repeat;
-    glm::vec2 scale{1.0f};  ///< how often the pictures are laid over 0..1 of u and v, > 0
+    TextureFilter filter = TextureFilter::trilinear;  ///< how the maps are read between their texels
+    TextureWrap wrap = TextureWrap::repeat;           ///< what lies beyond 0..1 of u and v
+    glm::vec2 scale{1.0f};                            ///< how often the pictures are laid over 0..1 of u and v, > 0
 };
 
 /// A [[material]] table of a scene.
 struct Material {
-    std::string name = "default";
-    ReflectionModel model = ReflectionModel::blinn_phong;
-    PhongMaterial phong;
-    CookTorranceMaterial cook_torrance;
-    MaterialMaps maps;
+    std::string name = "default";                          ///< what objects of a scene call it
+    ReflectionModel model = ReflectionModel::blinn_phong;  ///< decides which of the constants count
+    PhongMaterial phong;                                   ///< phong, blinn_phong and their relatives
+    CookTorranceMaterial cook_torrance;                    ///< cook_torrance
+    MaterialMaps maps;                                     ///< where a map says otherwise
 };
 
 }  // namespace kreda::lighting

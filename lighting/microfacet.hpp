@@ -28,9 +28,9 @@ inline float alpha_from_roughness(float roughness) {
 
 /// The angles of a microfacet model at one point. All cosines are in [0, 1]: negative ones count as 0.
 struct MicrofacetAngles {
-    float n_dot_l;
-    float n_dot_v;
-    float n_dot_h;
+    float n_dot_l;  ///< how slantwise the light arrives
+    float n_dot_v;  ///< how slantwise it is seen
+    float n_dot_h;  ///< 1: the facets that mirror l into v lie flat
     float v_dot_h;  ///< = l.h
     float sin2_h;   ///< 1 - (n.h)^2
 };
@@ -45,9 +45,9 @@ inline float squared_sine(const glm::vec3& a, const glm::vec3& b) {
 
 /// Those of them that concern the half vector.
 struct HalfVectorAngles {
-    float n_dot_h;
-    float v_dot_h;
-    float sin2_h;
+    float n_dot_h;  ///< in [0, 1]
+    float v_dot_h;  ///< = l.h, in [0, 1]
+    float sin2_h;   ///< 1 - (n.h)^2, in [0, 1]
 };
 
 /// n, l, v unit.   h = (l + v) / |l + v|,   v.h = |l + v| / 2   (the same bits for l and v exchanged).

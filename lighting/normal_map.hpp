@@ -12,8 +12,8 @@ namespace kreda::lighting {
 
 /// Unit and perpendicular to each other and to n: t where u grows, b where v grows.
 struct TangentFrame {
-    glm::vec3 t{0.0f};
-    glm::vec3 b{0.0f};
+    glm::vec3 t{0.0f};  ///< tangent
+    glm::vec3 b{0.0f};  ///< bitangent
 };
 
 /// t = T - (n.T) n, made unit;   b = n x t, or t x n where side < 0 (the picture is mirrored on the surface).

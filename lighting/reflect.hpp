@@ -15,7 +15,7 @@ namespace kreda::lighting {
 
 /// A material at one point of a surface, its maps read: what the models' formulas call m.
 struct PointMaterial {
-    ReflectionModel model = ReflectionModel::blinn_phong;
+    ReflectionModel model = ReflectionModel::blinn_phong;  ///< decides which of the quantities count
     PhongMaterial phong;                       ///< all models but cook_torrance; m_D is the map's where there is one
     const CookTorranceSetup* setup = nullptr;  ///< cook_torrance: constants, D, V and F
     MicrofacetSurface surface;                 ///< cook_torrance: what may vary from point to point

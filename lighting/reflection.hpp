@@ -16,8 +16,8 @@ namespace kreda::lighting {
 
 /// What one light adds, before its colour: m_D (l.n) and m_S Sigma^h.
 struct ReflectedTerms {
-    glm::vec3 diffuse{0.0f};
-    glm::vec3 specular{0.0f};
+    glm::vec3 diffuse{0.0f};   ///< m_D (l.n), linear RGB
+    glm::vec3 specular{0.0f};  ///< m_S Sigma^h, linear RGB
 };
 
 /// max(a . b, 0)

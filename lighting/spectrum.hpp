@@ -18,15 +18,15 @@ namespace kreda::lighting {
 /// n + i k at one wavelength.
 struct IndexSample {
     double wavelength;  ///< nm
-    double n;
-    double k;
+    double n;           ///< index of refraction
+    double k;           ///< extinction, >= 0
 };
 
 /// A material as somebody measured it. Linear between the published points, constant beyond the first and last.
 struct MeasuredMaterial {
-    std::string_view name;    ///< "gold"
-    std::string_view source;  ///< who measured it, and when
-    std::span<const IndexSample> samples;
+    std::string_view name;                 ///< "gold"
+    std::string_view source;               ///< who measured it, and when
+    std::span<const IndexSample> samples;  ///< by growing wavelength
 };
 
 /// gold, silver, copper, aluminium, platinum, gold_hagemann, water, diamond, glass.
@@ -40,8 +40,8 @@ struct MeasuredMaterial {
 
 /// One index for each colour channel.
 struct ThreeChannelIndex {
-    glm::vec3 n{1.5f};
-    glm::vec3 k{0.0f};
+    glm::vec3 n{1.5f};  ///< index of refraction for red, green, blue
+    glm::vec3 k{0.0f};  ///< extinction for red, green, blue, >= 0
 };
 
 /// Stetic-Kozic 2014, section 4: the middles of the red, green and blue parts of the spectrum, nm.

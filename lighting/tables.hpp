@@ -25,14 +25,14 @@ inline constexpr int kSpectrumSamples = 31;
 /// What an exact spectral F needs in a batch loop: n + i k at the observer's wavelengths, relative to the medium before
 /// the surface, and the colour of each wavelength as it comes to linear sRGB. The colours add up to white.
 struct SpectralIndex {
-    std::array<float, kSpectrumSamples> n{};
-    std::array<float, kSpectrumSamples> k{};
-    std::array<glm::vec3, kSpectrumSamples> color{};
+    std::array<float, kSpectrumSamples> n{};          ///< index of refraction
+    std::array<float, kSpectrumSamples> k{};          ///< extinction, >= 0
+    std::array<glm::vec3, kSpectrumSamples> color{};  ///< linear sRGB; single ones may be negative
 };
 
 /// One table for each channel, samples at c = i / (size - 1).
 struct FresnelTable {
-    std::vector<float> r, g, b;
+    std::vector<float> r, g, b;  ///< F of the channel, 0..1
 
     /// Number of entries.
     [[nodiscard]] int size() const {

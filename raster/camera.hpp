@@ -11,14 +11,14 @@ enum class Projection { perspective, orthographic };
 
 /// Right-handed, looks down -z of its own view space, +y up. Clip space is OpenGL's: -w <= x, y, z <= w.
 struct Camera {
-    glm::vec3 position{0.0f, 1.0f, 4.0f};  ///< world space
-    glm::vec3 target{0.0f};                ///< world space, not equal to position
-    glm::vec3 up{0.0f, 1.0f, 0.0f};        ///< world space, not parallel to target - position
-    Projection projection = Projection::perspective;
-    float vertical_fov_deg = 45.0f;  ///< perspective: full angle from bottom to top, in (0, 180)
-    float height = 2.0f;             ///< orthographic: world units from bottom to top
-    float near = 0.1f;               ///< distance of the near plane, > 0
-    float far = 100.0f;              ///< distance of the far plane, > near
+    glm::vec3 position{0.0f, 1.0f, 4.0f};             ///< world space
+    glm::vec3 target{0.0f};                           ///< world space, not equal to position
+    glm::vec3 up{0.0f, 1.0f, 0.0f};                   ///< world space, not parallel to target - position
+    Projection projection = Projection::perspective;  ///< perspective or orthographic
+    float vertical_fov_deg = 45.0f;                   ///< perspective: full angle from bottom to top, in (0, 180)
+    float height = 2.0f;                              ///< orthographic: world units from bottom to top
+    float near = 0.1f;                                ///< distance of the near plane, > 0
+    float far = 100.0f;                               ///< distance of the far plane, > near
 };
 
 /// Width over height of an image.
@@ -29,7 +29,7 @@ inline float aspect_of(int width, int height) {
 /// The directions of whoever looks along `forward` (unit) with `up_hint` upwards, world space. All unit, at right
 /// angles.
 struct ViewAxes {
-    glm::dvec3 right, up, forward;
+    glm::dvec3 right, up, forward;  ///< forward into the scene
 };
 /// Right, up and backward, unit and at right angles; world space.
 [[nodiscard]] ViewAxes view_axes(const glm::dvec3& forward, const glm::dvec3& up_hint);

@@ -17,9 +17,9 @@ struct ClipVertex {
 /// A convex polygon. A triangle has 3 corners and each of six planes adds at most one, so 9 would do; where rounding
 /// makes a sliver cross a plane more than twice there may be a few more.
 struct ClipPolygon {
-    static constexpr int kMaxCorners = 16;
-    std::array<ClipVertex, kMaxCorners> vertex;
-    int count = 0;
+    static constexpr int kMaxCorners = 16;       ///< room for all of them
+    std::array<ClipVertex, kMaxCorners> vertex;  ///< clip space, in their order around it; the first `count` of them
+    int count = 0;                               ///< corners; 0: nothing is left
 };
 
 /// Which side of the far plane is asked for. Pictures want what lies before it; shadow volumes reach beyond it.

@@ -8,8 +8,8 @@ namespace kreda::raster {
 /// A convex polygon with at most kMostCorners corners, without allocation.
 template <class Corner, int kMostCorners>
 struct ConvexPolygon {
-    std::array<Corner, kMostCorners> corner{};
-    int count = 0;
+    std::array<Corner, kMostCorners> corner{};  ///< in their order around it; the first `count` of them
+    int count = 0;                              ///< corners; 0: nothing is left
 };
 
 /// The part of a convex polygon where distance(corner) >= 0, or with keep_inside = false what that cuts off.

@@ -13,7 +13,7 @@ namespace kreda::raster {
 /// Disjoint sets over 0 .. count - 1 (Tarjan 1975, with path halving); the least member is a set's name. Over corners:
 /// corner c is a place in mesh.indices and belongs to triangle c / 3.
 struct Clusters {
-    std::vector<std::uint32_t> parent;
+    std::vector<std::uint32_t> parent;  ///< a member of the same set, itself for the least one
 
     /// `count` sets of one member each.
     explicit Clusters(std::size_t count);
@@ -26,8 +26,8 @@ struct Clusters {
 
 /// An edge that two triangles share, with the corners of both at its two points.
 struct SharedEdge {
-    std::uint32_t low_corner_a = 0, high_corner_a = 0;
-    std::uint32_t low_corner_b = 0, high_corner_b = 0;
+    std::uint32_t low_corner_a = 0, high_corner_a = 0;  ///< corners of the first triangle
+    std::uint32_t low_corner_b = 0, high_corner_b = 0;  ///< those of the second, at the same points
 
     /// Number of the first triangle.
     [[nodiscard]] std::uint32_t triangle_a() const {

@@ -12,7 +12,7 @@ inline constexpr int kCubeFaces = 6;
 
 /// One face of a cube around the origin: which axis it stands on, and which way.
 struct CubeFace {
-    int face = 0;
+    int face = 0;        ///< 0..5: +x, -x, +y, -y, +z, -z
     float sign = 1.0f;   ///< of the greatest coordinate: -1 or 1
     float along = 0.0f;  ///< the greatest coordinate, with its sign
 

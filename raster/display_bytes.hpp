@@ -10,15 +10,15 @@ namespace kreda::raster {
 
 /// 8 bits a channel, the channels of a pixel side by side, rows from the top.
 struct ByteImage {
-    int width = 0;
-    int height = 0;
-    int channels = 0;
-    std::vector<std::uint8_t> values;
+    int width = 0;                     ///< pixels
+    int height = 0;                    ///< pixels
+    int channels = 0;                  ///< 1, or 3 for red, green, blue
+    std::vector<std::uint8_t> values;  ///< as the file encodes them, 0..255
 };
 
 /// What pixels hold that are shown: values that no display can show, and whether any of them is not black.
 struct ShownValues {
-    FilmReport report;
+    FilmReport report;       ///< values that had to be clamped
     bool any_light = false;  ///< a value is not 0
 };
 

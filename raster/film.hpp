@@ -15,11 +15,11 @@ enum class Transfer { srgb, gamma, linear };
 
 /// From linear radiance to what a file holds.
 struct FilmSettings {
-    float exposure = 1.0f;             ///< multiplies radiance first
-    ToneMap tone_map = ToneMap::none;  ///< none: clamp to 1
-    float white = 4.0f;                ///< reinhard_extended: the radiance that maps to 1
-    Transfer transfer = Transfer::srgb;
-    float gamma = 2.2f;  ///< transfer = gamma: encoded = linear^(1/gamma)
+    float exposure = 1.0f;               ///< multiplies radiance first
+    ToneMap tone_map = ToneMap::none;    ///< none: clamp to 1
+    float white = 4.0f;                  ///< reinhard_extended: the radiance that maps to 1
+    Transfer transfer = Transfer::srgb;  ///< from linear to what a display takes
+    float gamma = 2.2f;                  ///< transfer = gamma: encoded = linear^(1/gamma)
 };
 
 /// Values that no display can show, and how often they came up.

@@ -19,7 +19,7 @@ inline constexpr int kChannelSize = kBatchCapacity + kTileSide;
 
 /// One number for each point of a batch.
 struct Channel {
-    alignas(64) float value[kChannelSize];
+    alignas(64) float value[kChannelSize];  ///< those past the batch's count hold anything
 
     /// Its value at point i.
     [[nodiscard]] float at(int i) const {
@@ -33,9 +33,9 @@ struct Channel {
 
 /// Three numbers for each point: a vector or a colour.
 struct Channel3 {
-    alignas(64) float x[kChannelSize];
-    alignas(64) float y[kChannelSize];
-    alignas(64) float z[kChannelSize];
+    alignas(64) float x[kChannelSize];  ///< or red
+    alignas(64) float y[kChannelSize];  ///< or green
+    alignas(64) float z[kChannelSize];  ///< or blue
 
     /// Its value at point i.
     [[nodiscard]] glm::vec3 at(int i) const {
@@ -52,15 +52,15 @@ struct Channel3 {
 /// Samples of a row that see the same triangle: neighbours, or every step-th.
 struct Run {
     std::uint16_t x = 0, y = 0;  ///< first sample, within the tile
-    std::uint16_t count = 0;
+    std::uint16_t count = 0;     ///< samples, at least 1
     std::uint16_t step = 1;  ///< from one sample to the next; more where not every sample is lit (shading_points.hpp)
-    std::uint32_t material = 0;
+    std::uint32_t material = 0;  ///< index into the frame's materials
     std::uint32_t triangle = 0;  ///< triangle_id()
 };
 
 /// Attributes of the points of a batch, interpolated. Those that the plan does not ask for hold nothing.
 struct Fragments {
-    int count = 0;
+    int count = 0;  ///< points, at most kBatchCapacity
     std::uint32_t
         sample[kChannelSize];  ///< its number in the picture, row by row from the top; only for what was found there
     Channel3 position;         ///< world space
@@ -78,15 +78,15 @@ struct Fragments {
 
 /// Which attributes the shading of the batch reads.
 struct FragmentNeeds {
-    bool position = false;
-    bool normal = false;
+    bool position = false;     ///< world space
+    bool normal = false;       ///< as interpolated
     bool face_normal = false;  ///< with normal
-    bool color = false;
-    bool uv = false;
-    bool uv_steps = false;  ///< with uv: how far it is to the neighbouring samples' uv
-    bool tangent = false;
-    bool fog = false;
-    bool two_sided = false;  ///< normals, tangents and colours of the side that is seen (ScreenTriangle::behind)
+    bool color = false;        ///< light of the vertices
+    bool uv = false;           ///< texture coordinates
+    bool uv_steps = false;     ///< with uv: how far it is to the neighbouring samples' uv
+    bool tangent = false;      ///< of the mesh, or from its uv
+    bool fog = false;          ///< fog factor of the vertices
+    bool two_sided = false;    ///< normals, tangents and colours of the side that is seen (ScreenTriangle::behind)
 
     /// Is anything needed beyond visibility?
     [[nodiscard]] bool any() const {

@@ -14,10 +14,10 @@ namespace kreda::raster {
 
 /// Channel c of the pixel in column x and row y is values[(c * height + y) * width + x].
 struct Image {
-    int width = 0;
-    int height = 0;
-    int channels = 0;
-    AlignedVector<float> values;
+    int width = 0;                ///< pixels
+    int height = 0;               ///< pixels, row 0 on top
+    int channels = 0;             ///< planes: 1, or 3 for red, green, blue
+    AlignedVector<float> values;  ///< one plane a channel
 
     /// Place of a value in `values`.
     [[nodiscard]] std::size_t index(int c, int x, int y) const {

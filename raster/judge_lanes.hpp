@@ -12,7 +12,7 @@ namespace kreda::raster {
 
 /// One corner of triangles that are judged side by side.
 struct PointLanes {
-    alignas(64) std::int32_t x[kScreenLanes], y[kScreenLanes];
+    alignas(64) std::int32_t x[kScreenLanes], y[kScreenLanes];  ///< 1/256 sample
 
     /// Puts corner v at place i.
     void set(int i, const ScreenVertex& v) {
@@ -27,10 +27,10 @@ struct PointLanes {
 
 /// Triangles, the judgements, and the tiles of those that are drawn.
 struct JudgeLanes {
-    PointLanes a, b, c;
-    std::int32_t fate[kScreenLanes], front[kScreenLanes];
-    std::int32_t x_first[kScreenLanes], x_last[kScreenLanes], y_first[kScreenLanes], y_last[kScreenLanes];
-    std::uint16_t x0[kScreenLanes], y0[kScreenLanes], x1[kScreenLanes], y1[kScreenLanes];  ///< tiles
+    PointLanes a, b, c;                                    ///< corners
+    std::int32_t fate[kScreenLanes], front[kScreenLanes];  ///< of Judgement
+    std::int32_t x_first[kScreenLanes], x_last[kScreenLanes], y_first[kScreenLanes], y_last[kScreenLanes];  ///< samples
+    std::uint16_t x0[kScreenLanes], y0[kScreenLanes], x1[kScreenLanes], y1[kScreenLanes];                   ///< tiles
 
     /// Puts a judgement at place i.
     void set(int i, const Judgement& judgement) {

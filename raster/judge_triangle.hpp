@@ -15,7 +15,7 @@ enum class Fate : std::int32_t { drawn, degenerate, culled, outside, needs_clip 
 
 /// First and last sample whose centre lies in [min, max] (1/256 sample); none if first > last.
 struct SampleRange {
-    std::int32_t first, last;
+    std::int32_t first, last;  ///< both included
 };
 
 /// The range of samples whose centres lie in [min, max].
@@ -31,7 +31,7 @@ inline SampleRange inside_image(const SampleRange& range, int side) {
 
 /// A corner on the screen, 1/256 sample; depth does not matter here.
 struct ScreenPoint {
-    std::int32_t x, y;
+    std::int32_t x, y;  ///< to the right, and down
 };
 
 /// The place of a vertex without its depth.
@@ -41,9 +41,9 @@ inline ScreenPoint point_of(const ScreenVertex& v) {
 
 /// What becomes of a triangle; if it is drawn, the samples that it may cover.
 struct Judgement {
-    Fate fate;
-    bool front;  ///< counter-clockwise with y up: the second and third corner must change places
-    SampleRange x, y;
+    Fate fate;         ///< drawn, or why not
+    bool front;        ///< counter-clockwise with y up: the second and third corner must change places
+    SampleRange x, y;  ///< columns and rows of the box
 };
 
 /// Judge a triangle by where it faces (the sign of the snapped area says it) and by its box.

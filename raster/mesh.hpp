@@ -13,10 +13,10 @@ namespace kreda::raster {
 
 /// A run of triangles with one name and one material: an OBJ group or object, split where the material changes.
 struct MeshPart {
-    std::string name;
-    std::uint32_t first_triangle = 0;
-    std::uint32_t triangle_count = 0;
-    int material = -1;  ///< index into the materials that came with the mesh file, -1: none
+    std::string name;                  ///< as its file has it; may be empty
+    std::uint32_t first_triangle = 0;  ///< in the order of the indices
+    std::uint32_t triangle_count = 0;  ///< triangles
+    int material = -1;                 ///< index into the materials that came with the mesh file, -1: none
 };
 
 /// Triangles are counter-clockwise seen from outside. Every attribute array that is not empty has one entry a vertex.

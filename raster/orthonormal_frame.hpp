@@ -8,7 +8,7 @@ namespace kreda::raster {
 
 /// Right-handed: t x b = n.
 struct OrthonormalFrame {
-    glm::vec3 t, b, n;
+    glm::vec3 t, b, n;  ///< unit, at right angles
 };
 
 /// Two directions that make a right-handed frame with n (unit), without a branch.                    Duff et al. 2017

@@ -10,8 +10,8 @@ namespace kreda::raster {
 
 /// Depth and triangle number of the samples of one tile: 32 KB, at home in the first-level cache.
 struct TileVisibility {
-    alignas(64) float depth[kTileSide * kTileSide];
-    alignas(64) std::uint32_t triangle[kTileSide * kTileSide];
+    alignas(64) float depth[kTileSide * kTileSide];             ///< window depth, 0 near .. 1 far
+    alignas(64) std::uint32_t triangle[kTileSide * kTileSide];  ///< triangle_id(), or kNoTriangle
 };
 
 /// A tile's place on the sample grid.

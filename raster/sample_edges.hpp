@@ -20,7 +20,7 @@ struct SampleEdge {
 
 /// The three edges of a triangle.
 struct SampleEdges {
-    SampleEdge ab, bc, ca;
+    SampleEdge ab, bc, ca;  ///< from corner to corner
 };
 
 /// The edge function x samples to the right of the first and y below it.

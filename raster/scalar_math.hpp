@@ -86,8 +86,8 @@ inline bool is_finite(float x) {
 
 /// x = mantissa * 2^exponent for a positive normal x.
 struct MantissaExponent {
-    float mantissa;  ///< in [sqrt(1/2), sqrt(2)): 1 lies inside, so log2(mantissa) is small near x = 1
-    std::int32_t exponent;
+    float mantissa;         ///< in [sqrt(1/2), sqrt(2)): 1 lies inside, so log2(mantissa) is small near x = 1
+    std::int32_t exponent;  ///< any power of 2 that a float has
 };
 
 /// Mantissa near 1 and exponent of a positive float.
@@ -101,7 +101,7 @@ inline MantissaExponent split_mantissa(float x) {
 
 /// x = integer + fraction, integer the nearest one. For |x| < 2^22.
 struct IntegerFraction {
-    float integer;
+    float integer;               ///< a whole number
     float fraction;              ///< in [-1/2, 1/2], exact
     std::uint32_t integer_bits;  ///< the integer in two's complement
 };
@@ -209,7 +209,7 @@ inline float log2(float x) {
 
 /// A number as the sum of two floats: high is the nearest float, low what is left.
 struct TwoFloats {
-    float high, low;
+    float high, low;  ///< the number is their exact sum
 };
 
 /// The first half of pow: log2(x^y) = y log2 x. In double, because its error (of up to 100 and more) becomes a relative

@@ -32,17 +32,17 @@ inline constexpr float kGuardBand = 16384.0f - 1.0f;
 
 /// Size of the sample grid: pixels, or n x n times as many with supersampling. Row 0 is the top row.
 struct Viewport {
-    int width = 0;
-    int height = 0;
+    int width = 0;   ///< samples
+    int height = 0;  ///< samples
 };
 
 /// A vertex after the perspective divide. x to the right, y DOWN, both in 1/256 sample; the centre of the first
 /// sample is (128, 128). z in [0, 1], 0 at the near plane. inv_w = 1/w > 0.
 struct ScreenVertex {
-    std::int32_t x = 0;
-    std::int32_t y = 0;
-    float z = 0.0f;
-    float inv_w = 0.0f;
+    std::int32_t x = 0;  ///< 1/256 sample, from the left
+    std::int32_t y = 0;  ///< 1/256 sample, from the top
+    float z = 0.0f;      ///< window depth
+    float inv_w = 0.0f;  ///< what attributes are divided by: linear on the screen
 };
 
 /// x of a vertex that has no place on the screen: its triangles go through the clipper.
@@ -136,7 +136,7 @@ inline bool covers_sample(const ScreenVertex& a, const ScreenVertex& b, const Sc
 
 /// Samples from x_first to x_last and y_first to y_last; none if a first is greater than its last.
 struct SampleBox {
-    int x_first = 0, y_first = 0, x_last = -1, y_last = -1;
+    int x_first = 0, y_first = 0, x_last = -1, y_last = -1;  ///< both included
 };
 
 /// The samples of the image that a triangle may cover.

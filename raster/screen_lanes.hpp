@@ -11,10 +11,10 @@ inline constexpr int kScreenLanes = 64;
 
 /// Screen vertices side by side, one array a member.
 struct ScreenLanes {
-    alignas(64) std::int32_t x[kScreenLanes] = {};
-    std::int32_t y[kScreenLanes] = {};
-    float z[kScreenLanes] = {};
-    float inv_w[kScreenLanes] = {};
+    alignas(64) std::int32_t x[kScreenLanes] = {};  ///< 1/256 sample
+    std::int32_t y[kScreenLanes] = {};              ///< 1/256 sample
+    float z[kScreenLanes] = {};                     ///< window depth, 0..1
+    float inv_w[kScreenLanes] = {};                 ///< 1/w > 0
 
     /// Vertex i of them.
     [[nodiscard]] ScreenVertex at(int i) const {

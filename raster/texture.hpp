@@ -36,8 +36,8 @@ inline constexpr int kMaxTextureLevels = 16;
 /// Every level half as large as the one before, rounded down, to a single texel; behind one another in `texels`, each
 /// row by row from the top, the channels of a texel together (a look-up finds them in one cache line).
 struct Texture {
-    int width = 0;  ///< of level 0
-    int height = 0;
+    int width = 0;                                     ///< of level 0
+    int height = 0;                                    ///< of level 0
     int channels = 0;                                  ///< 1 or 3
     int level_count = 0;                               ///< 1: there is no pyramid
     std::array<int, kMaxTextureLevels> first_texel{};  ///< of each level
@@ -60,13 +60,13 @@ inline int level_side(int side, int level) {
 
 /// A texture as batch loops take it: by value, without owning anything.
 struct TextureView {
-    const float* texels = nullptr;
-    int width = 1;
-    int height = 1;
-    int channels = 1;
-    int level_count = 1;
-    TextureWrap wrap = TextureWrap::repeat;
-    int first_texel[kMaxTextureLevels] = {};
+    const float* texels = nullptr;            ///< of all levels; the texture owns them
+    int width = 1;                            ///< of level 0, texels
+    int height = 1;                           ///< of level 0, texels
+    int channels = 1;                         ///< of a texel
+    int level_count = 1;                      ///< at least 1
+    TextureWrap wrap = TextureWrap::repeat;   ///< what lies beyond 0..1 of u and v
+    int first_texel[kMaxTextureLevels] = {};  ///< where each level begins, texels
 };
 
 /// The texture as the sampling functions read it.
@@ -87,8 +87,8 @@ inline int texel_at(float u, int side, TextureWrap wrap) {
 
 /// The two texels whose centres stand around a point, and how near it is to the second.
 struct TexelPair {
-    int first = 0, second = 0;
-    float weight = 0.0f;  ///< of the second, in [0, 1)
+    int first = 0, second = 0;  ///< columns or rows
+    float weight = 0.0f;        ///< of the second, in [0, 1)
 };
 
 /// Both texels of the pair lie in the row: the one before the first is the last (repeat) or the first again (clamp).

@@ -8,8 +8,8 @@ namespace kreda::raster {
 
 /// How a texture lies on a surface and is read.
 struct TextureLookup {
-    TextureFilter filter = TextureFilter::trilinear;
-    TextureWrap wrap = TextureWrap::repeat;
+    TextureFilter filter = TextureFilter::trilinear;  ///< how it is read between its texels
+    TextureWrap wrap = TextureWrap::repeat;           ///< what lies beyond 0..1 of u and v
     glm::vec2 scale{1.0f};  ///< multiplies u and v: how often the picture is laid over the unit square
 };
 

@@ -14,8 +14,8 @@ inline constexpr int kTileSide = 64;
 /// The frame's grid of tiles over the sample grid.
 struct TileGrid {
     int tile_side = kTileSide;  ///< samples a side, at most kTileSide
-    int columns = 0;
-    int rows = 0;
+    int columns = 0;            ///< tiles side by side; the last may be narrower
+    int rows = 0;               ///< tiles one below the other
 
     /// sample / tile_side without a division: exact for 0 <= sample < kMaxImageSide, because the error of the
     /// reciprocal, sample / 2^20 < 1/64, never reaches the next tile.
@@ -27,7 +27,7 @@ struct TileGrid {
 
 /// The tiles that a triangle's samples may lie in, inclusive.
 struct TileRange {
-    std::uint16_t x0, y0, x1, y1;
+    std::uint16_t x0, y0, x1, y1;  ///< columns x0..x1, rows y0..y1
 };
 
 /// The tiles that a box of samples touches.

@@ -14,15 +14,15 @@ namespace kreda::raster {
 
 /// A triangle on the screen: three vertices in the streams, clockwise with y down, so that its area is positive.
 struct ScreenTriangle {
-    std::array<std::uint32_t, 3> vertex{};
-    std::uint32_t source = 0;  ///< number of the scene's triangle it came from, counted over all instances
-    std::uint32_t material : 31 = 0;
+    std::array<std::uint32_t, 3> vertex{};  ///< indices into the streams
+    std::uint32_t source = 0;               ///< number of the scene's triangle it came from, counted over all instances
+    std::uint32_t material : 31 = 0;        ///< index into the frame's materials
     std::uint32_t behind : 1 = 0;  ///< 1: the camera sees its back, its corners are clockwise seen from the camera
 };
 
 /// Triangles that were left out, and why.
 struct TriangleCounts {
-    std::uint64_t input = 0;
+    std::uint64_t input = 0;       ///< all that the meshes have
     std::uint64_t drawn = 0;       ///< triangles that reach the tiles; one that was clipped may become several
     std::uint64_t culled = 0;      ///< facing the wrong way
     std::uint64_t outside = 0;     ///< outside the view, or between the sample centres
@@ -46,18 +46,18 @@ inline constexpr std::uint32_t kMostChunks = (1u << (32 - kChunkShift)) - 1;
 
 /// The set-up triangles of one chunk, in the order in which they are drawn, and for each tile those that touch it.
 struct TriangleChunk {
-    AlignedVector<ScreenTriangle> triangles;
+    AlignedVector<ScreenTriangle> triangles;    ///< those that are drawn
     std::vector<std::uint32_t> tile_begin;      ///< tile t owns tile_entries[tile_begin[t] .. tile_begin[t+1])
     AlignedVector<std::uint16_t> tile_entries;  ///< indices into triangles, in drawing order
-    TriangleCounts counts;
-    std::uint32_t instance = 0;      ///< all triangles of a chunk belong to one mesh instance
-    std::uint32_t first_source = 0;  ///< number of that instance's first triangle over all instances
+    TriangleCounts counts;                      ///< of this chunk
+    std::uint32_t instance = 0;                 ///< all triangles of a chunk belong to one mesh instance
+    std::uint32_t first_source = 0;             ///< number of that instance's first triangle over all instances
 };
 
 /// All triangles of a frame. Reused from frame to frame, so that memory is asked for once.
 struct TriangleSet {
-    TileGrid grid;
-    std::vector<TriangleChunk> chunks;
+    TileGrid grid;                      ///< that the tiles of all chunks belong to
+    std::vector<TriangleChunk> chunks;  ///< in drawing order
 
     /// The triangle with that number.
     [[nodiscard]] const ScreenTriangle& triangle(std::uint32_t id) const {

@@ -10,7 +10,7 @@ namespace kreda::raster {
 
 /// Sine and cosine of one angle.
 struct SinCos {
-    float sin, cos;
+    float sin, cos;  ///< in [-1, 1]
 };
 
 /// sin and cos of an angle counted in whole turns: 0.25 is 90 degrees.   |turns| < 2^20.

@@ -14,8 +14,8 @@ inline constexpr float kClearDepth = 1.0f;
 
 /// What is nearest at each sample: depth and number of the triangle.
 struct VisibilityBuffer {
-    int width = 0;
-    int height = 0;
+    int width = 0;                        ///< samples
+    int height = 0;                       ///< samples
     std::vector<float> depth;             ///< window depth in [0, 1], row 0 on top
     std::vector<std::uint32_t> triangle;  ///< triangle_id(), or kNoTriangle
 

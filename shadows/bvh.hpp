@@ -15,10 +15,10 @@ namespace kreda::shadows {
 /// Box around a subtree. An inner node's children are nodes `first` and `first + 1`; a leaf (count > 0) holds the
 /// triangles first .. first + count.
 struct BvhNode {
-    glm::vec3 low{0.0f};
-    std::uint32_t first = 0;
-    glm::vec3 high{0.0f};
-    std::uint32_t count = 0;
+    glm::vec3 low{0.0f};      ///< the box's least corner, world space
+    std::uint32_t first = 0;  ///< node or triangle, see above
+    glm::vec3 high{0.0f};     ///< the box's greatest corner
+    std::uint32_t count = 0;  ///< triangles of a leaf; 0: an inner node
 };
 
 /// A tree of boxes over triangles, for rays.

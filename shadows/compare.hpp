@@ -15,7 +15,7 @@ namespace kreda::shadows {
 /// or hidden by each other. Errors near an edge are of where the shadow ends; errors away from every edge are of
 /// another kind.
 struct ShadowError {
-    std::uint64_t visible = 0;
+    std::uint64_t visible = 0;       ///< samples that show a surface
     std::uint64_t false_shadow = 0;  ///< lit, and dark in the tested factor
     std::uint64_t false_light = 0;   ///< in shadow, and lit in the tested factor
     std::uint64_t acne = 0;          ///< false shadow farther than `band` samples from every edge

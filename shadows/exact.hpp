@@ -10,7 +10,7 @@ namespace kreda::shadows {
 /// Everything that casts a shadow, made ready for rays to one light.
 struct ExactShadow {
     glm::dvec4 light{0.0};  ///< homogeneous, see light_ray.hpp
-    Bvh bvh;
+    Bvh bvh;                ///< over the casting triangles
 };
 
 /// Builds the tree of the casters for one light.

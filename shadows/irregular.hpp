@@ -11,10 +11,10 @@ namespace kreda::shadows {
 
 /// A triangle in the light's view, made ready for the points of its cells.
 struct LightTriangle {
-    Triangle world;
-    glm::dvec3 edge[3];      ///< lines through the projected corners: dot(edge, q) > 0 on one side
-    glm::dvec2 corner[8]{};  ///< the part that the grid sees, in cells: a convex polygon
-    int corner_count = 0;
+    Triangle world;                    ///< world space
+    glm::dvec3 edge[3];                ///< lines through the projected corners: dot(edge, q) > 0 on one side
+    glm::dvec2 corner[8]{};            ///< the part that the grid sees, in cells: a convex polygon
+    int corner_count = 0;              ///< 0: the grid does not see it
     int first_row = 0, last_row = -1;  ///< that it may touch
 };
 
@@ -31,7 +31,7 @@ inline LightTriangle with_edges(const Triangle& world, const glm::dvec3 (&q)[3])
 
 /// The cells of a row that the triangle may touch, at least those it does touch.     Empty where first > last.
 struct CellRange {
-    int first = 0, last = -1;
+    int first = 0, last = -1;  ///< columns, both included
 };
 /// First and last cell of a row that the triangle touches.
 [[nodiscard]] CellRange cells_in_row(const LightGrid& grid, const LightTriangle& triangle, int row);

@@ -19,7 +19,7 @@ namespace kreda::shadows {
 /// where w > 0. Directional: w = 1. Point and spot: one of the six faces of a cube around the light, w the distance
 /// along its axis.
 struct GridView {
-    glm::dvec4 x{0.0}, y{0.0}, w{0.0};
+    glm::dvec4 x{0.0}, y{0.0}, w{0.0};  ///< the forms: dot(x, (p, 1)) and so on
 };
 
 /// (x, y, w) of a point.
@@ -42,11 +42,11 @@ struct LightPoint {
 
 /// The points of one view, cell by cell. The grid fits around them, with about one cell a point.
 struct LightGrid {
-    GridView view;
-    glm::dvec2 low{0.0}, high{0.0};  ///< of x/w and y/w
-    int columns = 0, rows = 0;
+    GridView view;                     ///< the picture that the grid lies on
+    glm::dvec2 low{0.0}, high{0.0};    ///< of x/w and y/w
+    int columns = 0, rows = 0;         ///< cells
     std::vector<std::uint32_t> begin;  ///< cell c = row * columns + column owns points[begin[c] .. begin[c+1])
-    std::vector<LightPoint> points;
+    std::vector<LightPoint> points;    ///< cell by cell
 
     /// Place on the grid in cells: column.fraction, row.fraction.
     [[nodiscard]] glm::dvec2 place(const glm::dvec3& q) const {

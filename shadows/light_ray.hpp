@@ -16,7 +16,7 @@ namespace kreda::shadows {
 
 /// A triangle that casts a shadow, world space.
 struct Triangle {
-    glm::vec3 a{0.0f}, b{0.0f}, c{0.0f};
+    glm::vec3 a{0.0f}, b{0.0f}, c{0.0f};  ///< corners
 };
 
 /// Where the light is as one homogeneous point L: (position, 1) for point and spot, (-direction, 0), infinitely far
@@ -65,11 +65,11 @@ inline bool separates(const Triangle& t, const glm::dvec4& light, const glm::vec
 /// The line from a point to the light, made ready: the axes are renamed so that D is longest along z, and sheared so
 /// that D points along z exactly.                                                            Woop, Benthin & Wald 2013
 struct LightRay {
-    glm::dvec3 origin{0.0};
+    glm::dvec3 origin{0.0};               ///< the point, world space
     glm::dvec3 direction{0.0, 0.0, 1.0};  ///< D, not unit
     double end = 1.0;                     ///< where the light is, in lengths of D; infinite for a directional light
     std::array<int, 3> axis{0, 1, 2};     ///< x, y, z of the sheared space are these axes of the world
-    double shear_x = 0.0, shear_y = 0.0;
+    double shear_x = 0.0, shear_y = 0.0;  ///< how far x and y move for each step along z
 };
 
 /// The ray from the point p to the light.

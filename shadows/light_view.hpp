@@ -19,10 +19,10 @@ namespace kreda::shadows {
 struct LightView {
     glm::mat3 view_from_world{1.0f};  ///< a rotation
     glm::vec3 origin{0.0f};           ///< world space: the light; directional: a point of its plane of distance 0
-    bool perspective = false;
-    glm::vec2 half_size{1.0f};  ///< half the picture's width and height: world units, or tangents (perspective)
-    float near = 0.0f;          ///< distance at which casting begins; perspective: > 0
-    float far = 1.0f;           ///< distance at which it ends
+    bool perspective = false;         ///< point and spot lights; false: directional
+    glm::vec2 half_size{1.0f};        ///< half the picture's width and height: world units, or tangents (perspective)
+    float near = 0.0f;                ///< distance at which casting begins; perspective: > 0
+    float far = 1.0f;                 ///< distance at which it ends
 };
 
 /// clip_from_world for the rasterizer.
@@ -33,8 +33,8 @@ struct LightView {
 
 /// A box in a light's axes: x right, y up, z the distance along its direction.
 struct LightBounds {
-    glm::vec3 least{0.0f}, greatest{0.0f};
-    bool empty = true;
+    glm::vec3 least{0.0f}, greatest{0.0f};  ///< opposite corners
+    bool empty = true;                      ///< nothing was put in: the corners say nothing
 };
 
 /// The box around points (world space) in the axes of a light.

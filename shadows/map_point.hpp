@@ -15,7 +15,7 @@ namespace kreda::shadows {
 
 /// How far a flat surface falls away from the light from one texel to the next: to the right, and down.  [world units]
 struct DepthSlope {
-    float u = 0.0f, v = 0.0f;
+    float u = 0.0f, v = 0.0f;  ///< to the right, and down
 };
 
 /// The least bias that keeps a flat surface from shadowing itself when the nearest texel is read. Its depth is right at
@@ -97,9 +97,9 @@ struct MapPoint {
 
 /// One picture, as the loop over a batch needs it.
 struct PictureScale {
-    glm::vec2 texel{1.0f};  ///< its width and height: world units, or tangents
-    glm::vec2 texels_per_unit{1.0f};
-    float half_side = 0.5f;  ///< half the number of texels a side
+    glm::vec2 texel{1.0f};            ///< its width and height: world units, or tangents
+    glm::vec2 texels_per_unit{1.0f};  ///< 1 / texel
+    float half_side = 0.5f;           ///< half the number of texels a side
 };
 
 /// From the light's view to texels of a map with `size` a side.
@@ -128,7 +128,7 @@ struct MapSteps {
     float distance = 0.0f;     ///< of the moved point along the light's axis, before the bias
     DepthSlope slope;          ///< of the surface there
     float slope_share = 0.0f;  ///< how many times least_bias() is taken off
-    MapPoint point;
+    MapPoint point;            ///< where it falls in the picture
 };
 
 /// q: the point, n_view: the unit normal of its surface, both in the axes of a directional light.
@@ -191,8 +191,8 @@ inline glm::vec3 in_face_axes(const raster::CubeFace& f, const glm::vec3& v) {
 
 /// A point of a surface and its unit normal in the axes of a picture of the light.
 struct PointInView {
-    glm::vec3 q{0.0f}, n{0.0f};
-    int face = 0;  ///< of a cube
+    glm::vec3 q{0.0f}, n{0.0f};  ///< place and unit normal
+    int face = 0;                ///< of a cube
 };
 
 /// axes: view_from_world of the one picture of a light; normal: any length.

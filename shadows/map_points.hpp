@@ -9,8 +9,8 @@ namespace kreda::shadows {
 
 /// MapPoint by MapPoint, and where the face of each begins in the map.
 struct MapPoints {
-    raster::Channel u, v, distance, slope_u, slope_v;
-    alignas(64) int face_begin[raster::kChannelSize];
+    raster::Channel u, v, distance, slope_u, slope_v;  ///< see MapPoint
+    alignas(64) int face_begin[raster::kChannelSize];  ///< index of the face's first distance
 
     /// Puts a point at place i - begin.
     void set(int i, const MapPoint& point, int begin) {

@@ -38,10 +38,10 @@ using OccluderPart = raster::ConvexPolygon<glm::dvec4, 8>;
 
 /// How one light throws images onto one plane of one picture.
 struct PlanarSetup {
-    glm::dvec4 light{0.0};   ///< homogeneous
-    glm::dvec4 toward{0.0};  ///< the plane, its front to the light
-    glm::dmat4 clip_from_occluder{1.0};
-    bool casts = false;  ///< the light does not shine along the plane
+    glm::dvec4 light{0.0};               ///< homogeneous
+    glm::dvec4 toward{0.0};              ///< the plane, its front to the light
+    glm::dmat4 clip_from_occluder{1.0};  ///< world to clip space by way of the plane
+    bool casts = false;                  ///< the light does not shine along the plane
 };
 /// What does not change from triangle to triangle.
 [[nodiscard]] PlanarSetup planar_setup(const glm::dvec4& plane, const ShadowLight& light,
@@ -49,7 +49,7 @@ struct PlanarSetup {
 
 /// For explanations: the first triangle whose image covers sample (x, y), as the picture's triangles are asked.
 struct PlanarCause {
-    std::size_t occluder = 0;
+    std::size_t occluder = 0;  ///< index into the occluders
     std::size_t triangle = 0;  ///< of the occluder's indices, three each
 };
 /// Which triangle puts the sample (x, y) into shadow, if one does.

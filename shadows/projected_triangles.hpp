@@ -14,8 +14,8 @@ namespace kreda::shadows {
 
 /// A triangle on the sample grid, clockwise with y down; corners in the order in which the rasterizer would hold them.
 struct ProjectedTriangle {
-    raster::ScreenVertex a, b, c;
-    bool is_front = true;  ///< counter-clockwise as it was given: the camera sees its front
+    raster::ScreenVertex a, b, c;  ///< 1/256 sample
+    bool is_front = true;          ///< counter-clockwise as it was given: the camera sees its front
 };
 
 /// Append what the picture sees of a triangle in clip space, as one triangle or, where it is clipped, as several. What
@@ -27,7 +27,7 @@ void append_on_screen(const glm::vec4& a, const glm::vec4& b, const glm::vec4& c
 /// The samples of a row that the triangle covers: first .. last, none if first > last. Exact, the same as asking
 /// raster::covers_sample for each.
 struct SampleSpan {
-    int first = 0, last = -1;
+    int first = 0, last = -1;  ///< columns, both included
 };
 /// First and last sample of row y that the triangle covers.
 [[nodiscard]] SampleSpan covered_in_row(const ProjectedTriangle& triangle, int y, int width);

@@ -10,7 +10,7 @@ inline constexpr int kRowsPerBand = 16;
 
 /// Rows first .. last, both included.
 struct RowBand {
-    int first = 0, last = 0;
+    int first = 0, last = 0;  ///< of samples
 };
 
 /// The bands of a grid of so many rows.

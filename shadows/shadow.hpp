@@ -18,10 +18,10 @@ enum class LightKind { directional, point, spot };
 
 /// A light as its shadows see it: where it is and where it shines, not how bright.
 struct ShadowLight {
-    LightKind kind = LightKind::directional;
-    glm::vec3 direction{0.0f, -1.0f, 0.0f};  ///< directional, spot: unit, the way the light travels, world space
-    glm::vec3 position{0.0f};                ///< point, spot: world space
-    float outer_cone_deg = 30.0f;            ///< spot: half-angle beyond which there is no light, in (0, 180]
+    LightKind kind = LightKind::directional;  ///< decides which fields count
+    glm::vec3 direction{0.0f, -1.0f, 0.0f};   ///< directional, spot: unit, the way the light travels, world space
+    glm::vec3 position{0.0f};                 ///< point, spot: world space
+    float outer_cone_deg = 30.0f;             ///< spot: half-angle beyond which there is no light, in (0, 180]
 };
 
 /// The triangles of one casting object, hidden parts left out. Owned by the frame, which outlives every method.
@@ -45,7 +45,7 @@ enum class ShadowBias { none, constant, slope, normal_offset };
 
 /// The [shadow] table of a scene.
 struct ShadowSettings {
-    ShadowMethod method = ShadowMethod::map;
+    ShadowMethod method = ShadowMethod::map;   ///< how shadows are found
     int size = 1024;                           ///< map: texels a side
     ShadowFilter filter = ShadowFilter::none;  ///< map
     int radius = 1;                            ///< pcf: (2 radius + 1)^2 texels
@@ -78,7 +78,7 @@ struct ShadowSettings {
 
 /// What the camera sees, sample by sample, row 0 on top: viewport.width * viewport.height entries each.
 struct VisibleSamples {
-    raster::Viewport viewport;
+    raster::Viewport viewport;            ///< the sample grid
     glm::mat4 clip_from_world{1.0f};      ///< the camera's
     std::span<const float> depth;         ///< window depth as rasterized, raster::kClearDepth where nothing is seen
     std::span<const glm::vec3> position;  ///< world space; holds nothing where nothing is seen

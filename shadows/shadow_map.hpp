@@ -20,7 +20,7 @@ inline constexpr float kNoCaster = 3.0e38f;
 
 /// How a light is drawn: its pictures, and what a map made of them is asked.
 struct ShadowMapPlan {
-    ShadowSettings settings;
+    ShadowSettings settings;       ///< of the scene
     std::vector<LightView> views;  ///< 1, or the 6 of cube_views()
 };
 
@@ -31,7 +31,7 @@ struct ShadowMapPlan {
 /// reaches over the edge, so that no tap has to ask where it is. In the ring nothing casts; the faces of a cube repeat
 /// their own edge there.
 struct ShadowMap {
-    ShadowMapPlan plan;
+    ShadowMapPlan plan;                     ///< how it was drawn
     raster::AlignedVector<float> distance;  ///< along the view's axis, world units; kNoCaster where nothing casts
     float nearest = kNoCaster;              ///< the least of them; pcss only
 
@@ -63,8 +63,8 @@ struct ShadowMap {
 
 /// The memory in which a map is drawn. Keep it from frame to frame and nothing is allocated twice.
 struct ShadowMapBuffers {
-    raster::VertexStreams streams;
-    raster::TriangleSet triangles;
+    raster::VertexStreams streams;  ///< vertices as the light sees them
+    raster::TriangleSet triangles;  ///< and their triangles, tile by tile
 };
 
 /// Draw a map with the rasterizer of the camera's picture. `casters`: their places in the streams are changed.

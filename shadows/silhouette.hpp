@@ -25,9 +25,9 @@ struct SilhouetteEdge {
 
 /// The faces of an occluder's shadow volume; the back of the volume is its caps again, pushed away from the light.
 struct VolumeShape {
-    std::vector<Cap> caps;
-    std::vector<SilhouetteEdge> sides;
-    std::uint32_t open_triangles = 0;  ///< in pieces of the mesh that are not closed: each casts a volume of its own
+    std::vector<Cap> caps;              ///< its front: triangles that face the light
+    std::vector<SilhouetteEdge> sides;  ///< edges from which the sides hang
+    std::uint32_t open_triangles = 0;   ///< in pieces of the mesh that are not closed: each casts a volume of its own
 };
 
 /// The volume of an occluder, piece by piece (a piece hangs together by shared edges).

@@ -11,8 +11,8 @@ namespace kreda::shadows {
 
 /// The memory of VisibleSamples, and which triangle is seen.
 struct VisibleSampleMemory {
-    raster::Viewport viewport;
-    glm::mat4 clip_from_world{1.0f};
+    raster::Viewport viewport;                      ///< the sample grid
+    glm::mat4 clip_from_world{1.0f};                ///< of the camera
     raster::AlignedVector<float> depth;             ///< raster::kClearDepth where nothing is seen
     raster::AlignedVector<glm::vec3> position;      ///< world space; (0, 0, 0) where nothing is seen
     raster::AlignedVector<std::uint32_t> triangle;  ///< raster::triangle_id() in the set, or raster::kNoTriangle

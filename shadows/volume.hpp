@@ -19,7 +19,7 @@ namespace kreda::shadows {
 /// An occluder, and its vertices in clip space as the picture's rasterizer had them: then a cap covers the same samples
 /// at the same depths as the surface that it lies on, to the last bit.
 struct VolumeCaster {
-    Occluder occluder;
+    Occluder occluder;                     ///< world space
     std::vector<glm::vec4> position_clip;  ///< one a position
 };
 
@@ -29,14 +29,14 @@ struct VolumeCaster {
 
 /// A face of a volume on the sample grid.
 struct VolumeFace {
-    ProjectedTriangle triangle;
-    bool is_entry = true;  ///< the camera looks at its outside: a ray enters the volume here
-    int weight = 1;        ///< how many volumes it bounds
+    ProjectedTriangle triangle;  ///< clipped, on the sample grid
+    bool is_entry = true;        ///< the camera looks at its outside: a ray enters the volume here
+    int weight = 1;              ///< how many volumes it bounds
 };
 
 /// All faces of a frame's volumes.
 struct VolumeFaces {
-    std::vector<VolumeFace> faces;
+    std::vector<VolumeFace> faces;            ///< of all casters
     std::uint32_t caps = 0, sides = 0;        ///< of all shapes, before anything is clipped or left out
     std::vector<std::uint32_t> open_casters;  ///< casters that are not closed: every triangle casts a volume of its own
 };

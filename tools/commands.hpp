@@ -17,7 +17,6 @@ void add_compare_command(CLI::App& app);
 void add_grade_command(CLI::App& app);
 void add_hidden_command(CLI::App& app);
 void add_keys_command(CLI::App& app);
-void add_gallery_command(CLI::App& app);
 void add_bench_command(CLI::App& app);
 void add_measure_command(CLI::App& app);
 void add_brdf_command(CLI::App& app);

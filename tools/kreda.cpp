@@ -100,7 +100,6 @@ int main(int argc, char** argv) {
         kreda::tools::add_grade_command(app);
         kreda::tools::add_hidden_command(app);
         kreda::tools::add_keys_command(app);
-        kreda::tools::add_gallery_command(app);
         kreda::tools::add_bench_command(app);
         kreda::tools::add_measure_command(app);
         kreda::tools::add_brdf_command(app);

@@ -11,13 +11,16 @@ from concurrent.futures import ThreadPoolExecutor
 from pathlib import Path
 
 sys.path.insert(0, str(Path(__file__).resolve().parent))
+import gallery
 import glossary
 import live
 import pages
 import pandoc
+import paper
 import reference
 import search_index
 import symbols
+import template
 
 SITE = Path(__file__).resolve().parent
 ROOT = SITE.parent.parent
@@ -48,14 +51,6 @@ def menu(lessons, guides, here):
     return "\n".join(text)
 
 
-def fill(template, values):
-    """$if(x)$...$endif$ (with $else$) and $x$, as Pandoc's templates have them; values are HTML."""
-    def branch(match):
-        return match.group(2) if values.get(match.group(1)) else (match.group(3) or "")
-    text = re.sub(r"\$if\((\w+)\)\$(.*?)(?:\$else\$(.*?))?\$endif\$\n?", branch, template, flags=re.S)
-    return re.sub(r"\$(\w+)\$", lambda m: str(values.get(m.group(1), "")), text)
-
-
 def picture_file(path, out_examples):
     """The file of a picture of the repository: what the example drew, larger, if it was run; else the page's own."""
     if re.match(r"docs/images/\d\d_", path):
@@ -75,11 +70,14 @@ def copy_pictures(found, site, out_examples):
             shutil.copyfile(picture_file(path, out_examples), to)
 
 
-def plain(markdown):
-    """Words without marks: of a goal, for the index."""
-    text = re.sub(r"<!--.*?-->", "", markdown)
-    text = re.sub(r"\[([^\]]*)\]\([^)]*\)", r"\1", text)
-    return re.sub(r"[*`$]", "", text).replace("\n", " ").strip()
+def gallery_address(site):
+    """Copies a picture of the gallery into the site, and says where it lies there."""
+    def address(lesson, picture):
+        to = site / "pictures/docs" / Path(lesson.source).stem / picture.name
+        to.parent.mkdir(parents=True, exist_ok=True)
+        shutil.copyfile(picture, to)
+        return str(to.relative_to(site))
+    return address
 
 
 def index_body(lessons):
@@ -90,7 +88,7 @@ def index_body(lessons):
         for page in (p for p in lessons if p.number.startswith(digit)):
             source = page.picture.replace("images/", "pictures/docs/")
             cards.append(f'<li><a href="{page.file}"><img src="{source}" alt="" loading="lazy"><h3><b>{page.number}</b> '
-                         f'{html.escape(page.title)}</h3></a><p>{html.escape(plain(page.goal))}</p></li>')
+                         f'{html.escape(page.title)}</h3></a><p>{html.escape(pages.plain(page.goal))}</p></li>')
         if cards:
             text.append(f'<section><h2 id="family-{digit}"><b>{digit}x</b> {family}</h2><ul class="cards">'
                         f'{"".join(cards)}</ul></section>')
@@ -106,7 +104,7 @@ def heading(page, eyebrow):
 class Site:
     def __init__(self, folder, kreda, out_examples):
         self.folder, self.kreda, self.out_examples = folder, kreda, out_examples
-        self.template = (SITE / "template.html").read_text(encoding="utf-8")
+        self.template = template.read()
         self.lessons, self.guides, self.assignments = pages.lessons(ROOT), pages.guides(ROOT), pages.assignments(ROOT)
         self.pages = self.lessons + [p for g in self.guides.values() for p in g] + self.assignments
         if (ROOT / LICENCE.source).exists():
@@ -124,10 +122,10 @@ class Site:
         body = re.sub(r"<th[^>]*></th>", "<td></td>", body)  # an empty corner is no heading
         body = re.sub(r' role="(?:doc-\w+|list|listitem)"', "", body)
         values = {"pagetitle": html.escape(f"{page.number} {page.title}".strip()), "title": html.escape(page.title),
-                  "number": page.number, "body": body, "menu": menu(self.lessons, self.guides, page),
-                  "source": page.source.replace("/", "--"), **more}
+                  "number": page.number, "body": body, "nav": "yes", "menu": menu(self.lessons, self.guides, page),
+                  "source": page.source.replace("/", "--"), "path": page.source.replace("/", "/<wbr>"), **more}
         values.setdefault("heading", heading(page, values.get("eyebrow", "")))
-        text = fill(self.template, values)
+        text = template.fill(self.template, values)
         if depth:
             text = re.sub(r'(href|src)="(?![a-z]+:|#|\.\./)([^"]+)"', r'\1="' + "../" * depth + r'\2"', text)
         self.sources.update(re.findall(r'href="(?:\.\./)*source/([^"#]+)\.html', text))
@@ -147,12 +145,13 @@ class Site:
     def convert(self, page):
         folder = str(Path(page.source).parent)
         body = pandoc.fragment(page.markdown, self.metadata, ROOT, folder if folder != "." else "", SITE / "filter.lua")
-        body, rules = self.symbols.link(page, body)
+        body = self.symbols.link(page, body)
         body = self.glossary.link(page, body)
         if page.number in self.live:
             body = live.put(body, self.live[page.number], page.title)
-        eyebrow = f"{page.number[0]}x {pages.FAMILIES[page.number[0]]}" if page.number else ""
-        self.write(page, body, pager=self.pager(page), symbolrules=rules, eyebrow=eyebrow,
+        eyebrow = (f'{page.number[0]}x {pages.FAMILIES[page.number[0]]} · <a href="gallery.html#{page.name}">its pictures</a>'
+                   if page.number in self.shown else f"{page.number[0]}x {pages.FAMILIES[page.number[0]]}" if page.number else "")
+        self.write(page, body, pager=self.pager(page), eyebrow=eyebrow,
                    kind="lesson" if page.number else "guide")
         return page, body
 
@@ -175,6 +174,7 @@ class Site:
         for name in ("style.css", "site.js", "icon.svg"):
             shutil.copyfile(SITE / name, self.folder / name)
         copy_pictures(self.pages, self.folder, self.out_examples)
+        self.shown = {p.number for p in self.lessons if gallery.pictures_of(p, self.out_examples, ROOT / "docs/images")}
         self.live = live.write(ROOT, self.folder, self.kreda)
         with ThreadPoolExecutor(2) as pool:
             bodies = list(pool.map(self.convert, [p for p in self.pages if p.markdown]))
@@ -187,10 +187,13 @@ class Site:
                 bodies.append((page, made[page.source] if page.source.endswith(".bib") else ""))
         home = pages.Page("docs/site/index.html", "index.html", "A rasterizer to teach lighting with")
         self.write(home, index_body(self.lessons), heading=" ", kind="home")
+        shown = gallery.body(self.lessons, self.out_examples, ROOT / "docs/images", lambda lesson: lesson.file, gallery_address(self.folder))
+        self.write(pages.Page("docs/site/gallery.py", "gallery.html", gallery.TITLE), f"<p>{gallery.WORDS}</p>{shown}", kind="home")
         search_index.write(self.folder / "search_index.js", bodies, self.symbols, self.glossary)
         with ThreadPoolExecutor(2) as pool:
             list(pool.map(self.source, sorted(self.sources)))
         self.metadata.unlink()
+        self.bodies = {page.source: body for page, body in bodies}
 
 
 def main():
@@ -199,12 +202,15 @@ def main():
     parser.add_argument("--kreda", default=ROOT / "build/release/bin/kreda", type=Path,
                         help="the program that explains the pages' pixels (build/release/bin/kreda)")
     parser.add_argument("--examples", default=ROOT / "out", type=Path, help="folder that the examples drew into (out)")
+    parser.add_argument("--pdf", action="store_true", help="print all lessons, too: course.pdf beside the site's folder (with Chromium)")
     parser.add_argument("-v", "--verbose", action="store_true", help="name every symbol that does not resolve")
     parser.add_argument("--symbols", action="store_true", help="build nothing: does every symbol resolve?")
     options = parser.parse_args()
     if not pandoc.is_there():
         raise SystemExit("docs: pandoc is missing; install it (apt-get install pandoc) and try again. "
                          "The gallery needs no pandoc: ./course examples")
+    if options.pdf and not paper.browser():
+        raise SystemExit("docs: the PDF is printed by Chromium or Chrome, and neither is there; install one (apt-get install chromium)")
     begin = time.monotonic()
     if options.symbols:
         lessons = pages.lessons(ROOT)
@@ -220,6 +226,10 @@ def main():
     said = site.symbols.report()
     print(f"{len(site.pages)} pages in {time.monotonic() - begin:.0f} s; {said}")
     print(f"The site: file://{options.out.resolve()}/index.html")
+    if options.pdf:
+        to = options.out.resolve().parent / "course.pdf"
+        count = paper.write(site.folder, site.lessons, site.pages, site.bodies, to)
+        print(f"The course on paper: file://{to}, {count} pages, {to.stat().st_size / 1e6:.1f} MB, {time.monotonic() - begin:.0f} s in all")
 
 
 if __name__ == "__main__":

@@ -20,8 +20,9 @@ scene::Scene make_ball(glm::ivec2 size) {
 
 void draw(const Options& options) {
     const glm::ivec2 size = panel_size(options.width, options.height, 1, 1);
-    const std::vector<Image> panels = {captioned(make_ball(size), "CAPTION", options.height)};
-    save(options, "picture", montage(options.width, options.height, 1, panels));
+    std::vector<Panel> panels;
+    panels.push_back(captioned(make_ball(size), "CAPTION"));
+    save_panels(options, "picture", 1, panels);
 }
 
 }  // namespace

@@ -14,13 +14,21 @@ GUIDES = {
     "To use": [("README.md", "Kreda in a page"), ("docs/debugging.md", "Step through it"),
                ("docs/steps.md", "Every stage a picture"), ("docs/view.md", "Live, in a browser"),
                ("docs/environment.md", "Light from an image"), ("docs/gltf.md", "Models from elsewhere"),
-               ("docs/brdf_plots.md", "Reflection models side by side"), ("docs/performance.md", "Performance")],
+               ("docs/brdf_plots.md", "Reflection models side by side"), ("docs/measure.md", "Speed against accuracy"),
+               ("docs/performance.md", "Performance")],
     "To build on": [("docs/architecture.md", "The rooms of the house"), ("docs/extend.md", "Add a distribution"),
                     ("docs/install.md", "Install it, build on it"),
                     ("CONTRIBUTING.md", "How to change Kreda"), ("docs/joss.md", "For a journal's reviewer"),
                     ("docs/sources-of-data.md", "Where the data comes from"), ("CODE_OF_CONDUCT.md", "Code of conduct"),
                     ("CHANGELOG.md", "What changed")],
 }
+
+
+def plain(markdown):
+    """Words without marks: of a goal, for the index."""
+    text = re.sub(r"<!--.*?-->", "", markdown)
+    text = re.sub(r"\[([^\]]*)\]\([^)]*\)", r"\1", text)
+    return re.sub(r"[*`$]", "", text).replace("\n", " ").strip()
 
 
 @dataclass

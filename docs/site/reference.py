@@ -1,28 +1,43 @@
 #!/usr/bin/env python3
 """The reference of the code, from the docstrings with Doxygen. Usage: reference.py --check
---check makes nothing and asks: has every struct, function, enumeration and constant of raster, lighting and shadows its docstring?"""
+--check makes nothing and asks: has every struct, member, function, enumeration and constant of raster, lighting and shadows its docstring?"""
 import re
 import shutil
 import subprocess
 import sys
+import tempfile
 import xml.etree.ElementTree as ElementTree
 from pathlib import Path
 
 ROOT = Path(__file__).resolve().parent.parent.parent
+ROOMS = ("raster", "lighting", "shadows")
+
+
+DECLARATOR = r"\w+(?:\[\w+\]| = [^,;{}]+|\{[^{}]*\})?"
+SEVERAL = re.compile(rf"^( +)((?:alignas\(\w+\) )?[\w:<>]+) ({DECLARATOR}(?:, {DECLARATOR})+); +///< (.*)$", re.M)
+
+
+def spread(header):
+    """`float u, v;  ///< words`: Doxygen gives the words to v alone, here each has them. Lines keep their numbers."""
+    def each(match):
+        indent, kind, names, words = match.groups()
+        return indent + " ".join(f"{kind} {name}; /**< {words} */" for name in re.findall(DECLARATOR, names))
+    return SEVERAL.sub(each, header)
 
 
 def run(settings):
-    """Doxygen's warnings."""
-    text = (ROOT / "docs/site/Doxyfile").read_text() + "".join(f"{key} = {value}\n" for key, value in settings.items())
-    done = subprocess.run(["doxygen", "-"], input=text, cwd=ROOT, capture_output=True, text=True, encoding="utf-8")
-    if done.returncode != 0:
-        raise SystemExit("docs: doxygen failed: " + done.stderr.strip()[-500:])
-    return done.stderr.splitlines()
-
-
-def is_fault(warning):
-    """A plain member of a struct may speak by its name and its neighbours' comments; all else has words of its own."""
-    return re.search(r":\d+: warning:", warning) and not re.search(r"\(variable\) of struct", warning)
+    """Doxygen's warnings. It reads copies of the headers, see spread()."""
+    with tempfile.TemporaryDirectory() as folder:
+        for file in (f for room in ROOMS for f in (ROOT / room).rglob("*.hpp")):
+            copy = Path(folder) / file.relative_to(ROOT)
+            copy.parent.mkdir(parents=True, exist_ok=True)
+            copy.write_text(spread(file.read_text(encoding="utf-8")), encoding="utf-8")
+        shutil.copytree(ROOT / "docs/site", Path(folder) / "docs/site", ignore=shutil.ignore_patterns("*.py*"))
+        text = (ROOT / "docs/site/Doxyfile").read_text() + "".join(f"{key} = {value}\n" for key, value in settings.items())
+        done = subprocess.run(["doxygen", "-"], input=text, cwd=folder, capture_output=True, text=True, encoding="utf-8")
+        if done.returncode != 0:
+            raise SystemExit("docs: doxygen failed: " + done.stderr.strip()[-500:])
+        return done.stderr.replace(f"{folder}/", "").splitlines()
 
 
 def build(folder):
@@ -45,7 +60,7 @@ def build(folder):
 def main():
     if sys.argv[1:] != ["--check"]:
         raise SystemExit(__doc__)
-    faults = [w for w in run({"GENERATE_HTML": "NO", "OUTPUT_DIRECTORY": "."}) if is_fault(w)]
+    faults = [w for w in run({"GENERATE_HTML": "NO", "OUTPUT_DIRECTORY": "."}) if re.search(r":\d+: warning:", w)]
     print("\n".join(faults + [f"{len(faults)} symbols without a docstring"]))
     raise SystemExit(1 if faults else 0)
 

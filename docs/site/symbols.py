@@ -174,8 +174,7 @@ class Symbols:
                 self.problems.append(f"{page.source} ({number}): {word}: nothing says what it is")
             text = re.sub(r'<math.*</math>', lambda m: serialized(root, f"eq-{number}"), match.group(0), flags=re.S)
             return text + self.box(page, number, found, known, settings)
-        return re.sub(r'<div( id="eq-([^"]+)" class="equation numbered"[^>]*)>\s*(<math.*?</math>).*?</div>', equation, body,
-                      flags=re.S), ""
+        return re.sub(r'<div( id="eq-([^"]+)" class="equation numbered"[^>]*)>\s*(<math.*?</math>).*?</div>', equation, body, flags=re.S)
 
     def check(self, lessons):
         """Only what the test asks: all equations of the pages, without the pages around them. One run of Pandoc."""

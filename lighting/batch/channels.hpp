@@ -8,13 +8,14 @@ namespace kreda::lighting {
 
 /// The quantities of the microfacet model at every point; they hold something only where the material is cook_torrance.
 struct MicrofacetChannels {
-    raster::Channel3 albedo;  ///< c, linear RGB
-    raster::Channel3 f0;      ///< reflectance at normal incidence
-    raster::Channel metallic, roughness, alpha, ao;
-    raster::Channel n_dot_l, n_dot_v, n_dot_h, v_dot_h, sin2_h;
-    raster::Channel D;   ///< of the light that is being added
-    raster::Channel V;   ///< G / (4 (n.l)(n.v)) of that light
-    raster::Channel3 F;  ///< at v.h, of that light
+    raster::Channel3 albedo;                             ///< c, linear RGB
+    raster::Channel3 f0;                                 ///< reflectance at normal incidence
+    raster::Channel metallic, roughness, alpha, ao;      ///< each in [0, 1]; alpha = roughness^2, at least kMinAlpha
+    raster::Channel n_dot_l, n_dot_v, n_dot_h, v_dot_h;  ///< of the light that is being added, in [0, 1]
+    raster::Channel sin2_h;                              ///< 1 - (n.h)^2
+    raster::Channel D;                                   ///< of the light that is being added
+    raster::Channel V;                                   ///< G / (4 (n.l)(n.v)) of that light
+    raster::Channel3 F;                                  ///< at v.h, of that light
 };
 
 /// What the environment sends and what becomes of it; they hold something only where the scene has an environment.
@@ -29,7 +30,7 @@ struct EnvironmentChannels {
     raster::Channel3 diffuse;        ///< of ambient, what comes from the environment by diffuse reflection
     raster::Channel3 specular;       ///< and by specular reflection
     raster::Channel error;           ///< of a sum over samples: its standard error, luminance (environment.reference)
-    TapScratch scratch;
+    TapScratch scratch;              ///< what a look-up in a map needs, used again by the next one
 };
 
 /// Every quantity of the lecture's equation at every point of a batch.
@@ -51,15 +52,15 @@ struct LightingChannels {
         highlight;           ///< Sigma^h of that light, 0 where the surface faces away from it; phong and blinn_phong
     raster::Channel shadow;  ///< of that light: 1 lit .. 0 in full shadow; only where it casts shadows
     raster::Channel
-        blocker_distance;       ///< from a point back to what keeps that light from it, world units; only for views
-    raster::Channel penumbra;   ///< width of that shadow's soft edge there, world units; only for views
-    raster::Channel3 ambient;   ///< s_A m_A + m_E and what the environment adds
-    raster::Channel3 diffuse;   ///< sum over lights of s m_D (l.n)
-    raster::Channel3 specular;  ///< sum over lights of s m_S Sigma^h
-    raster::Channel fog;        ///< f
-    raster::Channel3 radiance;  ///< what leaves toward the viewer: linear RGB
-    MicrofacetChannels microfacet;
-    EnvironmentChannels environment;
+        blocker_distance;           ///< from a point back to what keeps that light from it, world units; only for views
+    raster::Channel penumbra;       ///< width of that shadow's soft edge there, world units; only for views
+    raster::Channel3 ambient;       ///< s_A m_A + m_E and what the environment adds
+    raster::Channel3 diffuse;       ///< sum over lights of s m_D (l.n)
+    raster::Channel3 specular;      ///< sum over lights of s m_S Sigma^h
+    raster::Channel fog;            ///< f
+    raster::Channel3 radiance;      ///< what leaves toward the viewer: linear RGB
+    MicrofacetChannels microfacet;  ///< cook_torrance only
+    EnvironmentChannels environment;  ///< only with an environment
 };
 
 }  // namespace kreda::lighting

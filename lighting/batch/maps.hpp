@@ -23,9 +23,9 @@ enum class MapKind {
 
 /// A map that a material may have.
 struct MapUse {
-    std::string_view name;  ///< "albedo"; the key of a scene file is "albedo_map"
-    MapKind kind = MapKind::value;
-    Map MaterialMaps::*map = nullptr;
+    std::string_view name;             ///< "albedo"; the key of a scene file is "albedo_map"
+    MapKind kind = MapKind::value;     ///< what the values of its file mean
+    Map MaterialMaps::*map = nullptr;  ///< where a material keeps it
 };
 
 /// All of them.
@@ -48,7 +48,7 @@ struct MapUse {
 
 /// Which attributes reading these maps asks for.
 struct MapNeeds {
-    bool uv = false;
+    bool uv = false;        ///< texture coordinates: any map
     bool uv_steps = false;  ///< trilinear: the level comes from them
     bool tangent = false;   ///< normal map
 };

@@ -16,10 +16,10 @@ namespace kreda::lighting {
 
 /// A material made ready for a frame: what its model computes once.
 struct MaterialSetup {
-    Material material;
+    Material material;                ///< as the scene has it
     CookTorranceSetup cook_torrance;  ///< only for model = cook_torrance
     MaterialMaps maps;                ///< those that its model reads
-    MapNeeds map_needs;
+    MapNeeds map_needs;               ///< what reading `maps` asks of the fragments
 };
 
 /// What does not change from point to point of a material.
@@ -27,13 +27,13 @@ struct MaterialSetup {
 
 /// What is the same for all points of a frame.
 struct LightingSetup {
-    glm::vec3 eye{0.0f};        ///< world space
-    glm::vec3 forward{0.0f};    ///< unit, into the scene, world space
-    bool orthographic = false;  ///< then v is the same everywhere: -forward
-    glm::vec3 ambient{0.0f};    ///< s_A
-    std::span<const LightSetup> lights;
-    EnvironmentSetup environment;
-    Fog fog;
+    glm::vec3 eye{0.0f};                 ///< world space
+    glm::vec3 forward{0.0f};             ///< unit, into the scene, world space
+    bool orthographic = false;           ///< then v is the same everywhere: -forward
+    glm::vec3 ambient{0.0f};             ///< s_A
+    std::span<const LightSetup> lights;  ///< those that the plan adds, in its order
+    EnvironmentSetup environment;        ///< without maps: there is none
+    Fog fog;                             ///< mode none: there is none
 };
 
 }  // namespace kreda::lighting

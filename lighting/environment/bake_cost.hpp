@@ -11,8 +11,8 @@ namespace kreda::lighting {
 
 /// One step of a bake and its result.
 struct BakeCost {
-    std::uint64_t count = 0;  ///< of what is summed: directions, samples, texels
-    double operations_each = 0.0;
+    std::uint64_t count = 0;               ///< of what is summed: directions, samples, texels
+    double operations_each = 0.0;          ///< floating-point operations for one of them
     std::uint64_t bytes = 0;               ///< of the map
     std::uint64_t bytes_while_baking = 0;  ///< of what is summed, where that is written down first
 

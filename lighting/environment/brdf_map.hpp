@@ -20,8 +20,8 @@ inline constexpr int kBrdfMapSamples = 1024;
 /// A and B at the nodes n.v = (i / 63)^2, roughness = j / 63. The square puts nodes where A and B bend, near grazing:
 /// the worst error of bilinear interpolation is seven times smaller than with evenly spaced n.v.
 struct BrdfMap {
-    Distribution distribution = Distribution::ggx;
-    Geometry geometry = Geometry::schlick_ggx;
+    Distribution distribution = Distribution::ggx;  ///< the D that A and B were summed with
+    Geometry geometry = Geometry::schlick_ggx;      ///< and the G
     std::vector<float> texels;  ///< A, B, E_avg = 2 int (A + B) mu dmu of the row, 0; row by row of growing roughness
 
     /// Has it no nodes yet?

@@ -22,7 +22,7 @@ using raster::kCubeFaces;
 
 /// A point of the cube's surface.
 struct CubePoint {
-    int face = 0;
+    int face = 0;              ///< 0..5: +x, -x, +y, -y, +z, -z
     float u = 0.0f, v = 0.0f;  ///< in [0, 1], from the left and from the top
 };
 
@@ -66,8 +66,8 @@ struct CubeLevel {
 
 /// Four floats a texel: red, green, blue and nothing. A level holds 6 faces of (size + 2)^2 texels, row by row.
 struct CubeMap {
-    std::vector<CubeLevel> levels;
-    raster::AlignedVector<float> texels;
+    std::vector<CubeLevel> levels;        ///< the finest first
+    raster::AlignedVector<float> texels;  ///< linear radiance, or what is made of it
 
     /// Has it no texels yet?
     [[nodiscard]] bool empty() const {

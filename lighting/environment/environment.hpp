@@ -18,8 +18,8 @@ enum class IrradianceForm { map, sh9 };
 
 /// A pair of terms whose scale and bias are one BRDF map.
 struct BrdfKind {
-    Distribution distribution = Distribution::ggx;
-    Geometry geometry = Geometry::schlick_ggx;
+    Distribution distribution = Distribution::ggx;  ///< D
+    Geometry geometry = Geometry::schlick_ggx;      ///< G
 
     /// Equal in every member.
     bool operator==(const BrdfKind&) const = default;
@@ -30,10 +30,10 @@ struct EnvironmentNeeds {
     bool mirror = false;   ///< radiance by direction: background, reference
     bool blurred = false;  ///< specular reflection by the split sum
     int first_level = 0;   ///< of the blurred levels, those that some roughness reads; see prefilter.hpp
-    int last_level = kPrefilterLevels - 1;
-    bool irradiance = false;  ///< diffuse reflection by the split sum
-    IrradianceForm form = IrradianceForm::map;
-    std::vector<BrdfKind> brdf;  ///< one for each kind of specular material, each once
+    int last_level = kPrefilterLevels - 1;      ///< included
+    bool irradiance = false;                    ///< diffuse reflection by the split sum
+    IrradianceForm form = IrradianceForm::map;  ///< how that irradiance is kept
+    std::vector<BrdfKind> brdf;                 ///< one for each kind of specular material, each once
 
     /// Is anything needed at all?
     [[nodiscard]] bool any() const {
@@ -45,20 +45,20 @@ struct EnvironmentNeeds {
 
 /// The maps. Empty: nothing asked for them.
 struct EnvironmentMaps {
-    CubeMap prefiltered;     ///< level 0 is the environment itself
-    LightTable light;        ///< of level 0; only for environment.reference
-    CubeMap irradiance;      ///< E, one level
-    std::optional<Sh9> sh9;  ///< E as a polynomial, instead of the map
-    std::vector<BrdfMap> brdf;
+    CubeMap prefiltered;        ///< level 0 is the environment itself
+    LightTable light;           ///< of level 0; only for environment.reference
+    CubeMap irradiance;         ///< E, one level
+    std::optional<Sh9> sh9;     ///< E as a polynomial, instead of the map
+    std::vector<BrdfMap> brdf;  ///< A and B, one map a kind
 };
 
 /// The environment as it stands in the scene.
 struct EnvironmentSetup {
     const EnvironmentMaps* maps = nullptr;  ///< nullptr: there is none
     float cos_rotation = 1.0f;              ///< of the environment about +y
-    float sin_rotation = 0.0f;
-    float intensity = 1.0f;
-    int reference_samples = 0;  ///< 0: the split sum; else samples a point of the integral itself
+    float sin_rotation = 0.0f;              ///< of the same angle
+    float intensity = 1.0f;                 ///< multiplies its radiance, >= 0
+    int reference_samples = 0;              ///< 0: the split sum; else samples a point of the integral itself
 };
 
 /// Bake what is asked for. `radiance` has all its mip levels; it may be empty where only BRDF maps are asked for.

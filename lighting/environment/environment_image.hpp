@@ -19,8 +19,8 @@ namespace kreda::lighting {
 
 /// What was wrong with an image: texels, each counted once, by the worst of its channels.
 struct EnvironmentRepairs {
-    std::int64_t nan = 0, infinite = 0, negative = 0;
-    std::int64_t too_bright = 0;  ///< finite, above kMaxRadiance
+    std::int64_t nan = 0, infinite = 0, negative = 0;  ///< texels
+    std::int64_t too_bright = 0;                       ///< finite, above kMaxRadiance
 
     /// How many texels were repaired.
     [[nodiscard]] std::int64_t total() const {
@@ -60,7 +60,7 @@ inline double equirect_solid_angle(int width, int height, int y) {
 /// An equirectangular image ready to be filtered: four floats a texel, and a border of one texel that wraps around the
 /// meridian and continues over each pole on the other side (azimuth + pi).
 struct EquirectMap {
-    int width = 0, height = 0;
+    int width = 0, height = 0;  ///< texels, without the border
     std::vector<float> texels;  ///< (height + 2) rows of (width + 2) texels
 };
 
@@ -75,9 +75,9 @@ struct EquirectMap {
 
 /// How an environment stands in the scene: turned about +y, and its light multiplied.
 struct Placement {
-    float cos_rotation = 1.0f;
-    float sin_rotation = 0.0f;
-    float intensity = 1.0f;
+    float cos_rotation = 1.0f;  ///< of the angle about +y
+    float sin_rotation = 0.0f;  ///< of the same angle
+    float intensity = 1.0f;     ///< multiplies its radiance, >= 0
 };
 
 /// A cube map with all its mip levels. Each texel of level 0 is the mean of n x n directions, weighted with their solid

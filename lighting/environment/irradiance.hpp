@@ -40,10 +40,10 @@ inline constexpr int kShSourceSize = 256;
 
 /// A cube map of E, `size` texels a side.
 struct IrradianceSettings {
-    IrradianceSum sum = IrradianceSum::texels;
-    int azimuths = 128;  ///< N1; the cosine-weighted sum takes N1 N2 samples
-    int angles = 32;     ///< N2
-    int size = 32;
+    IrradianceSum sum = IrradianceSum::texels;  ///< which of the sums makes it
+    int azimuths = 128;                         ///< N1; the cosine-weighted sum takes N1 N2 samples
+    int angles = 32;                            ///< N2
+    int size = 32;                              ///< texels a side of each face
 };
 
 /// A cube map of irradiance, linear RGB, from one of radiance.

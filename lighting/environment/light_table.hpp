@@ -33,8 +33,8 @@ struct LightTable {
 
 /// Where the density of a direction stands in the table, and what it is multiplied by: |d|^3.
 struct DensityTap {
-    std::int32_t texel;
-    float factor;
+    std::int32_t texel;  ///< its place in the table
+    float factor;        ///< |d|^3, d the direction scaled to touch the cube
 };
 
 /// Where a unit direction lies on the faces of `size` texels a side.

@@ -40,9 +40,9 @@ inline glm::vec3 weighted_sum(const float* texels, const TexelTap& tap) {
 
 /// The taps of a batch.
 struct TapChannels {
-    alignas(64) std::int32_t first[raster::kChannelSize];
-    alignas(64) std::int32_t next_row[raster::kChannelSize];
-    raster::Channel w_00, w_10, w_01, w_11;
+    alignas(64) std::int32_t first[raster::kChannelSize];     ///< see TexelTap
+    alignas(64) std::int32_t next_row[raster::kChannelSize];  ///< see TexelTap
+    raster::Channel w_00, w_10, w_01, w_11;                   ///< see TexelTap; they sum to 1
 
     /// Puts a tap at place i.
     void set(int i, const TexelTap& tap) {

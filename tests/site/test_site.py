@@ -9,8 +9,11 @@ from pathlib import Path
 SITE = Path(sys.argv.pop())
 sys.path.insert(0, str(SITE))
 import check_site
+import gallery
 import glossary
 import pages
+import paper
+import reference
 import symbols
 import values
 
@@ -47,6 +50,66 @@ class Symbols(unittest.TestCase):
         table.find_in(formula, table.keys, found, free, set())
         self.assertEqual(list(found), ["k_d", "dt"])
         self.assertEqual(free, ["x"])  # π needs no explanation, x does
+
+
+class Reference(unittest.TestCase):
+    def test_words_behind_several_members_are_those_of_each(self):
+        self.assertEqual(reference.spread("    float u = 0.0f, v[kSize];  ///< texels\n"),
+                         "    float u = 0.0f; /**< texels */ float v[kSize]; /**< texels */\n")
+        one = "    float u = 0.0f;  ///< texels\n    glm::vec3 color{1, 2, 3};  ///< linear RGB\n"
+        self.assertEqual(reference.spread(one), one)
+
+
+class Gallery(unittest.TestCase):
+    def shown(self, *pictures, output=""):
+        """The gallery of lesson 24, whose example drew these."""
+        with tempfile.TemporaryDirectory() as folder:
+            drawn = Path(folder) / "24_shading"
+            drawn.mkdir()
+            for name, width in pictures:
+                (drawn / name).write_bytes(b"\x89PNG\r\n\x1a\n" + b"\0\0\0\rIHDR" + width.to_bytes(4, "big") + (9).to_bytes(4, "big"))
+            if output:
+                (drawn / "output.txt").write_text(output)
+            lesson = pages.Page("docs/24_shading.md", "24_shading.html", "Flat & smooth", number="24", goal="See *why* `a < b`.")
+            return gallery.body([lesson], Path(folder), Path(folder), lambda p: p.file, lambda p, picture: f"24/{picture.name}")
+
+    def test_pictures_stand_under_their_lesson_and_lead_to_it(self):
+        text = self.shown(("two_balls.png", 640), ("dot.png", 20), output="n.l = 0.5 < 1\n")
+        self.assertIn('<h2 id="family-2"><b>2x</b> Local illumination</h2>', text)
+        self.assertIn('<a href="24_shading.html"><b>24</b> Flat &amp; smooth</a>', text)
+        self.assertIn("<p>See why a &lt; b.</p>", text)
+        self.assertIn('<img src="24/two_balls.png" alt="two balls" width="640" height="9" loading="lazy">', text)
+        self.assertRegex(text, 'src="24/dot.png"[^>]* class="small"')
+        self.assertIn("n.l = 0.5 &lt; 1", text)
+        self.assertNotIn("Fog", text)
+
+    def test_without_pictures_it_says_so(self):
+        self.assertIn("no pictures yet", self.shown())
+
+
+class Paper(unittest.TestCase):
+    PAGE = pages.Page("docs/24_shading.md", "24_shading.html", "Shading", number="24")
+    OTHER = pages.Page("docs/22_phong_terms.md", "22_phong_terms.html", "Phong", number="22")
+
+    def chapter(self, body):
+        return paper.on_paper(self.PAGE, body, {p.file: p for p in (self.PAGE, self.OTHER)})
+
+    def test_links_lead_to_chapters_or_are_words(self):
+        self.assertEqual(self.chapter('<h2 id="goal">Goal</h2><a class="x" href="#goal">up</a>'),
+                         '<h3 id="24_shading--goal">Goal</h3><a class="x" href="#24_shading--goal">up</a>')
+        self.assertEqual(self.chapter('<a class="x" href="22_phong_terms.html#eq-1">(1)</a>'), '<a class="x" href="#22_phong_terms--eq-1">(1)</a>')
+        self.assertEqual(self.chapter('<a class="x" href="source/a.html#L-3"><code>a</code></a>'), "<code>a</code>")
+        self.assertIn("https://example.org", self.chapter('<a class="x" href="https://example.org">w</a>'))
+
+    def test_answers_are_open_and_boxes_of_symbols_stay_away(self):
+        body = '<div class="tips"><div class="tip">n</div></div><details class="symbols"><dl>n</dl></details><details><summary>Answer</summary>2</details>'
+        self.assertEqual(self.chapter(body), "<details open><summary>Answer</summary>2</details>")
+
+    def test_pages_of_a_pdf(self):
+        pdf = (b"1 0 obj\n<</Type /Catalog /Pages 2 0 R /Dests 6 0 R>>\nendobj\n2 0 obj\n<</Type /Pages /Kids [3 0 R 5 0 R]>>\nendobj\n"
+               b"3 0 obj\n<</Type /Pages /Parent 2 0 R /Kids [4 0 R]>>\nendobj\n4 0 obj\n<</Type /Page>>\nendobj\n5 0 obj\n<</Type /Page>>\nendobj\n"
+               b"6 0 obj\n<</a#2db [5 0 R /XYZ 0 700 0] /c [4 0 R /XYZ 0 1 0]>>\nendobj\n")
+        self.assertEqual(paper.pages_of(pdf), {"a-b": 2, "c": 1})
 
 
 class Links(unittest.TestCase):

@@ -102,7 +102,6 @@ TEST_CASE("bad command line: one line and exit code 2 and no picture") {
         {"unknown extension", {"render", "-o", "picture.jpg"}, {"picture.jpg", ".png", ".exr"}},
         {"no extension", {"render", "-o", "picture"}, {"picture", ".png"}},
         {"output is a folder", {"render", "-o", "picture.png"}, {"picture.png", "folder"}},
-        {"gallery of nothing", {"gallery", "none"}, {"none"}},
     };
     for (const BadInput& bad : table) check_refused(bad, folder);
 }

@@ -15,8 +15,7 @@ TEST_CASE("help names every command and render's help every option") {
     const TempFolder folder;
     const Outcome help = run_kreda({"--help"}, folder.path.string());
     CHECK(help.exit_code == 0);
-    for (const char* command : {"render", "plan", "keys", "gallery"})
-        CHECK(help.out.find(command) != std::string::npos);
+    for (const char* command : {"render", "plan", "keys", "stages"}) CHECK(help.out.find(command) != std::string::npos);
     const Outcome render = run_kreda({"render", "--help"}, folder.path.string());
     CHECK(render.exit_code == 0);
     for (const char* option : {"--output", "--size", "--samples", "--threads", "--set", "--time", "--repeat",

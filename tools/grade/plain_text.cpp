@@ -3,7 +3,7 @@
 #include <cstdint>
 #include <cstdio>
 
-#include "tools/gallery/markdown.hpp"
+#include "tools/escape_html.hpp"
 
 namespace kreda::tools {
 

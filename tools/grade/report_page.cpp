@@ -4,9 +4,9 @@
 #include <cstdio>
 
 #include "tools/base64.hpp"
-#include "tools/gallery/gallery_style.hpp"
 #include "tools/grade/plain_text.hpp"
 #include "tools/grade/report_style.hpp"
+#include "tools/page_style.hpp"
 
 namespace kreda::tools {
 
@@ -99,7 +99,7 @@ std::string report_head(const std::string& title) {
            "<meta http-equiv=\"Content-Security-Policy\" content=\"default-src 'none'; img-src data:; style-src "
            "'unsafe-inline'; script-src 'unsafe-inline'\">\n"
            "<meta name=\"viewport\" content=\"width=device-width, initial-scale=1\">\n<title>" +
-           markup_text(title) + "</title>\n<style>" + kGalleryStyle + kReportStyle + "</style>\n</head>\n<body>\n";
+           markup_text(title) + "</title>\n<style>" + kPageStyle + kReportStyle + "</style>\n</head>\n<body>\n";
 }
 
 std::string report_foot() {

@@ -1,4 +1,4 @@
-// How the pages of grading look, on top of the gallery's style.
+// How the pages of grading look, on top of the style of all pages.
 #pragma once
 
 namespace kreda::tools {

@@ -2,10 +2,10 @@
 #include <filesystem>
 
 #include "tools/base64.hpp"
-#include "tools/gallery/gallery_style.hpp"
 #include "tools/grade/plain_text.hpp"
 #include "tools/grade/report_style.hpp"
 #include "tools/measure/measure.hpp"
+#include "tools/page_style.hpp"
 #include "tools/write_file.hpp"
 
 namespace kreda::tools {
@@ -60,7 +60,7 @@ std::string report_page(const std::string& folder) {
     }
     return "<!doctype html>\n<html lang=\"en\"><head><meta charset=\"utf-8\"><meta name=\"viewport\" "
            "content=\"width=device-width,initial-scale=1\"><title>Speed against accuracy</title>\n<style>" +
-           std::string(kGalleryStyle) + kReportStyle +
+           std::string(kPageStyle) + kReportStyle +
            "</style></head>\n<body><header><h1>Speed against accuracy</h1><p>Measured by kreda measure on this "
            "machine: "
            "times belong to it, errors to the formulas.</p></header>\n<nav><div>" +

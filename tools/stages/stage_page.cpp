@@ -13,7 +13,7 @@
 #include "raster/film.hpp"
 #include "tools/base64.hpp"
 #include "tools/draw/draw.hpp"
-#include "tools/gallery/markdown.hpp"
+#include "tools/escape_html.hpp"
 #include "tools/stages/stage_page_script.hpp"
 
 namespace kreda::tools {

@@ -1,9 +1,9 @@
-// How the gallery looks: one style sheet for the index and the pages, dark or light as the browser asks.
+// How the pages of measuring and grading look: dark or light as the browser asks.
 #pragma once
 
 namespace kreda::tools {
 
-inline constexpr const char* kGalleryStyle = R"css(
+inline constexpr const char* kPageStyle = R"css(
 :root { color-scheme: light dark; --ground: #f7f5f0; --card: #fffefb; --ink: #23282b; --soft: #667077;
         --line: #e0dcd2; --accent: #a8481f; --code: #efece4; }
 @media (prefers-color-scheme: dark) {
@@ -33,17 +33,11 @@ article h3 a { color: inherit; text-decoration: none; }
 article h3 a:hover { color: var(--accent); }
 article h3 span { color: var(--soft); font-weight: 400; margin-right: .45rem; font-variant-numeric: tabular-nums; }
 article > p { margin: 0 0 1rem; max-width: 52rem; }
-.pictures { display: grid; gap: 1.1rem 1rem; grid-template-columns: repeat(auto-fill, minmax(min(100%, 15.5rem), 1fr)); }
 figure { margin: 0; }
 figure a { display: block; background: #0002; border-radius: 7px; overflow: hidden; }
 figure img { display: block; width: 100%; height: auto; transition: opacity .15s; }
 figure a:hover img { opacity: .86; }
-figure .small { image-rendering: pixelated; }
 figcaption { color: var(--soft); font-size: .87rem; line-height: 1.35; margin-top: .4rem; }
-.text { max-width: 50rem; }
-.text h1 { font-size: 2.3rem; letter-spacing: -.02em; line-height: 1.15; margin: 1.8rem 0 .6rem; }
-.text h2 { font-size: 1.4rem; margin: 2.2rem 0 .6rem; }
-.text img { max-width: 100%; height: auto; border-radius: 7px; }
 code, pre { font: .88em/1.5 ui-monospace, "Cascadia Mono", "DejaVu Sans Mono", Menlo, monospace; }
 code { background: var(--code); padding: .1em .32em; border-radius: 4px; }
 pre { background: var(--code); padding: .9rem 1.1rem; border-radius: 8px; overflow-x: auto; }
@@ -52,7 +46,6 @@ pre code { background: none; padding: 0; font-size: 1em; }
 table { border-collapse: collapse; font-size: .95rem; }
 th, td { text-align: left; vertical-align: top; padding: .4rem 1rem .4rem 0; border-bottom: 1px solid var(--line); }
 footer { color: var(--soft); font-size: .9rem; padding-top: 2.5rem; padding-bottom: 3rem; }
-.none { color: var(--soft); font-style: italic; }
 )css";
 
 }  // namespace kreda::tools
