@@ -29,17 +29,18 @@ bool is_same(Fits& fits, std::size_t variant, Demand demand) {
     return explains;
 }
 
-/// The mean misfit over the tables that are wrong, in the submission or in the variant alone, and a little for each
-/// mistake that it takes. A table where the variant is right explains nothing.
-double misfit_over(Fits& fits, std::size_t variant) {
+/// The mean misfit over the tables that are wrong, in the submission or in the explanation alone, and a little for each
+/// mistake and each free number that it takes. A table where the variant is right explains nothing.
+double misfit_over(Fits& fits, const Explanation& e) {
     double sum = 0.0;
     int count = 0;
     for (std::size_t i = 0; i < fits.wrong.size(); ++i) {
-        if (!fits.is_answered(i) || !(fits.wrong[i] || fits.is_wrong(variant, i))) continue;
-        sum += fits.wrong[i] ? fits.misfit(variant, i) : 0.5;
+        if (!fits.is_answered(i) || !(fits.wrong[i] || fits.is_wrong(e, i))) continue;
+        sum += fits.wrong[i] ? fits.misfit(e, i) : 0.5;
         ++count;
     }
-    return (count > 0 ? sum / count : 1.0) + 0.01 * static_cast<double>(fits.mistakes(variant).size());
+    const std::size_t taken = fits.mistakes(e.variant).size() + (e.share > 0.0 ? 1 : 0);
+    return (count > 0 ? sum / count : 1.0) + 0.01 * static_cast<double>(taken);
 }
 
 /// Does the variant explain the function of table i, wherever the submission has it wrong?
@@ -154,7 +155,8 @@ bool has_own_tables(Fits& fits, std::size_t variant) {
 void find_nearest(Fits& fits, Diagnosis& diagnosis) {
     std::vector<Candidate> all;
     for (std::size_t k = 0; k < fits.catalogue.variants.size(); ++k) {
-        if (!fits.mistakes(k).empty()) all.push_back({misfit_over(fits, k), k});
+        if (fits.mistakes(k).empty()) continue;
+        for (const Explanation& e : fits.explanations(k)) all.push_back({misfit_over(fits, e), k});
     }
     const Best best = best_of(fits, all);
     diagnosis.misfit = best.first.misfit;
