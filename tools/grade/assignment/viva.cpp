@@ -17,13 +17,21 @@ namespace {
 
 namespace fs = std::filesystem;
 
+constexpr const char* kOfPixels = "Pixels count from (0, 0), the picture's top left.\n\n";
+
+/// Whole numbers exactly, as edge functions need them; of others enough digits to work out two of a result.
+std::string digits_of(double value) {
+    char text[32];
+    const bool is_whole = std::abs(value) < 1e15 && value == std::round(value);
+    std::snprintf(text, sizeof text, is_whole ? "%.0f" : "%.5g", value);
+    return text;
+}
+
 /// Numbers of a row of one column, "(0.1, 0.2, 0.3)".
 std::string cell_text(const StageColumn& c, std::size_t row) {
     std::string text;
     for (std::size_t i = 0; i < c.components; ++i) {
-        char number[32];
-        std::snprintf(number, sizeof number, "%.3g", c.values[row * c.components + i]);
-        text += (i > 0 ? ", " : "") + std::string(number);
+        text += (i > 0 ? ", " : "") + digits_of(c.values[row * c.components + i]);
     }
     return c.components > 1 ? "(" + text + ")" : text;
 }
@@ -150,6 +158,11 @@ std::string changed_functions(const Source& s, const Answers& changed) {
     return text;
 }
 
+/// Does a text stand in a line more than once?
+bool is_repeated(const std::string& line, const std::string& text) {
+    return line.find(text) != line.rfind(text);
+}
+
 /// What if this + were a -? The changed code is compiled and run.
 bool ask_change(Source& s, const fs::path& submission, const GradeOptions& options, VivaQuestion& q) {
     const std::vector<ChangedLine> changes = changed_lines(read_text((submission / s.rubric.student_file).string()));
@@ -161,8 +174,9 @@ bool ask_change(Source& s, const fs::path& submission, const GradeOptions& optio
         if (program.file.empty()) continue;
         const std::string functions = changed_functions(s, run_submission(s.rubric, program, s.cases, options));
         if (functions.empty()) continue;
+        const std::string op = " " + change.from + " ", which = is_repeated(change.text, op) ? "first " : "";
         q.question = "Line " + std::to_string(change.line) + " of your " + s.rubric.student_file + " is\n\n        " +
-                     change.text + "\n\n    What if its `" + change.from + "` were `" + change.to +
+                     change.text + "\n\n    What if its " + which + "`" + change.from + "` were `" + change.to +
                      "`? Which of your functions would give other results on the public scenes, and how would the "
                      "picture change?";
         q.answer = functions;
@@ -223,11 +237,11 @@ std::vector<VivaQuestion> make_viva(const Rubric& rubric, const CaseSet& cases, 
 }
 
 std::string viva_sheet(const std::string& title, const std::vector<VivaQuestion>& questions) {
-    return "# " + title + "\n\n" + numbered(questions, false);
+    return "# " + title + "\n\n" + kOfPixels + numbered(questions, false);
 }
 
 std::string viva_key(const std::string& title, const std::vector<VivaQuestion>& questions) {
-    return "# " + title + ": answers, not for the student\n\n" + numbered(questions, true);
+    return "# " + title + ": answers, not for the student\n\n" + kOfPixels + numbered(questions, true);
 }
 
 }  // namespace kreda::tools
