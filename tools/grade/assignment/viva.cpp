@@ -56,6 +56,7 @@ struct Source {
     const CaseSet& cases;
     const Answers& answers;
     std::mt19937 dice;
+    std::map<std::string, int> asked = {};  ///< function -> how many questions want a value of it
 
     std::size_t pick(std::size_t count) {
         return dice() % count;
@@ -83,7 +84,14 @@ bool is_interesting(const StageTable& answers, std::size_t row) {
     return false;
 }
 
-/// What does your function give at this pixel?
+/// Are the numbers of the answer among the arguments? Then there is nothing to work out.
+bool stands_in_arguments(const StageTable& input, const StageColumn& answer, std::size_t row) {
+    return std::any_of(input.columns.begin(), input.columns.end(), [&](const StageColumn& c) {
+        return c.per_row && c.components == answer.components && cell_text(c, row) == cell_text(answer, row);
+    });
+}
+
+/// What does your function give at this pixel? Functions that were asked for least often come first.
 bool ask_value(Source& s, VivaQuestion& q) {
     const std::vector<std::size_t> tables = s.tables();
     for (int tries = 0; tries < 50 && !tables.empty(); ++tries) {
@@ -91,8 +99,12 @@ bool ask_value(Source& s, VivaQuestion& q) {
         const StageTable& input = s.cases.inputs[i];
         const StageTable& out = s.answers.tables[i];
         const std::size_t row = s.pick(input.rows);
-        if (!is_interesting(out, row)) continue;
+        const auto fewer = [&](std::size_t k) { return s.asked[s.cases.inputs[k].stage] < s.asked[input.stage]; };
+        const bool is_late = tries < 40 && std::any_of(tables.begin(), tables.end(), fewer);
+        if (is_late || !is_interesting(out, row)) continue;
         const StageColumn& column = out.columns[s.pick(out.columns.size())];
+        if (stands_in_arguments(input, column, row)) continue;
+        ++s.asked[input.stage];
         q.question = "Work it out by hand: " + pixel_text(input, row) + " your program calls " + call_text(input, row) +
                      ". What does your function give for " + column.name + ", to two digits?";
         q.answer = column.name + " = " + cell_text(column, row);
