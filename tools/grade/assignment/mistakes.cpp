@@ -62,10 +62,13 @@ void read_ways(TableReader& reader, const std::string& solution, std::vector<Way
     if (std::adjacent_find(values.begin(), values.end(), std::greater_equal<>()) != values.end()) {
         reader.complain("values", "expected increasing numbers");
     }
+    bool in_pairs = true;
+    reader.read("pairs", in_pairs);
     const std::size_t family = ways.empty() ? 0 : ways.back().family + 1;
-    if (values.empty()) ways.push_back({changes, family, false});
+    if (values.empty()) ways.push_back({changes, family, in_pairs});
     for (std::size_t i = 0; i < values.size(); ++i) {
-        ways.push_back({with_number(changes, values[i]), family, i > 0 && i + 1 < values.size()});
+        const bool is_end = i == 0 || i + 1 == values.size();
+        ways.push_back({with_number(changes, values[i]), family, in_pairs && is_end});
     }
 }
 
@@ -129,7 +132,7 @@ std::vector<Variant> make_variants(const std::string& solution, const std::vecto
     for (std::size_t a = 1; with_pairs && a < singles; ++a) {
         for (std::size_t b = a + 1; b < singles; ++b) {
             const std::size_t i = variants[a].mistakes[0], j = variants[b].mistakes[0];
-            if (i == j || way_of(a).is_inner || way_of(b).is_inner) continue;
+            if (i == j || !way_of(a).in_pairs || !way_of(b).in_pairs) continue;
             Variant pair{{i, j}, {variants[a].ways[0], variants[b].ways[0]}, variants[a].text};
             if (apply(way_of(b).changes, pair.text)) variants.push_back(pair);
         }

@@ -17,7 +17,7 @@ using TextChange = std::pair<std::string, std::string>;
 struct Way {
     std::vector<TextChange> changes;
     std::size_t family = 0;  ///< the same for ways of a mistake that differ by their number alone
-    bool is_inner = false;   ///< neither the least nor the greatest number of its family
+    bool in_pairs = true;    ///< of a family only the least and the greatest number make pairs
 };
 
 struct Mistake {
@@ -40,7 +40,7 @@ struct Variant {
 };
 
 /// The solution, every way of every mistake, and with_pairs every pair of ways of two mistakes whose changes do not
-/// touch; of a family the first and the last make pairs.
+/// touch, if both are in_pairs.
 [[nodiscard]] std::vector<Variant> make_variants(const std::string& solution, const std::vector<Mistake>& mistakes,
                                                  bool with_pairs);
 

@@ -96,6 +96,28 @@ double Fits::product(std::size_t a, std::size_t b, std::size_t i) {
     return found->second;
 }
 
+double Fits::misfit(std::size_t variant, std::size_t i) {
+    if (same(variant, i)) return 0.0;
+    double best = misfit_of(sums(variant, i));
+    const Variant& v = catalogue.variants[variant];
+    for (std::size_t k = 0; v.ways.size() == 2 && k < 2; ++k) {
+        const std::size_t single = alone.at({v.mistakes[k], v.ways[k]});
+        if (catalogue.answers.number[single][i] != catalogue.answers.number[variant][i]) continue;
+        best = std::min(best, misfit_of_mistake(v.mistakes[k], i));
+    }
+    return best;
+}
+
+double Fits::misfit_of_mistake(std::size_t mistake, std::size_t i) {
+    const auto [found, is_new] = mistake_misfits_.try_emplace({mistake, i}, 1.0);
+    for (std::size_t way = 0; is_new && way < catalogue.mistakes[mistake].ways.size(); ++way) {
+        for (const Explanation& e : explanations(alone.at({mistake, way}))) {
+            found->second = std::min(found->second, misfit(e, i));
+        }
+    }
+    return found->second;
+}
+
 double Fits::misfit(const Explanation& e, std::size_t i) {
     if (e.share <= 0.0) return misfit(e.variant, i);
     const Sums &v = sums(e.variant, i), &w = sums(e.neighbour, i);

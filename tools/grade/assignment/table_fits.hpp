@@ -55,10 +55,9 @@ struct Fits {
     /// Does the variant answer every row of this table as the submission does?
     [[nodiscard]] bool same(std::size_t variant, std::size_t i);
     [[nodiscard]] const Sums& sums(std::size_t variant, std::size_t i);
-    /// Share of the submission's error that the variant leaves unexplained; 0 where they are the same.
-    [[nodiscard]] double misfit(std::size_t variant, std::size_t i) {
-        return same(variant, i) ? 0.0 : misfit_of(sums(variant, i));
-    }
+    /// Share of the submission's error that the variant leaves unexplained; 0 where they are the same. On a table that
+    /// only one of two mistakes spoils, any way to make that one will do.
+    [[nodiscard]] double misfit(std::size_t variant, std::size_t i);
     [[nodiscard]] bool is_wrong(std::size_t variant, std::size_t i) {
         return sums(variant, i).vv > 1e-6;
     }
@@ -70,6 +69,9 @@ struct Fits {
     [[nodiscard]] std::vector<Explanation> explanations(std::size_t variant) const;
 
 private:
+    /// The best of all ways to make a mistake.
+    [[nodiscard]] double misfit_of_mistake(std::size_t mistake, std::size_t i);
+    std::map<std::pair<std::size_t, std::size_t>, double> mistake_misfits_;
     [[nodiscard]] double product(std::size_t a, std::size_t b, std::size_t i);
 };
 
