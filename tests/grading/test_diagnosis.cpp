@@ -2,7 +2,9 @@
 // and mistakes of another kind, of which nothing may be said.
 #include <doctest/doctest.h>
 
+#include "scene/error.hpp"
 #include "tests/grading/lab.hpp"
+#include "tests/scene/temp_folder.hpp"
 #include "tools/grade/assignment/table_reader.hpp"
 
 using namespace kreda;
@@ -104,6 +106,32 @@ TEST_CASE("mistakes that were never seen are named right or not at all" * doctes
         for (const std::string& folder : folders) diagnose_set(set, folder, tallies);
         check_tallies(tallies);
     }
+}
+
+TEST_CASE("a mistake's free number makes a family, whose ends make pairs") {
+    const TempFolder folder;
+    const auto read = [&](const std::string& keys) {
+        const std::string file = folder.write("m.toml", "[[mistake]]\nname = \"a\"\nsays = \"\"\npage = \"\"\n" + keys +
+                                                            "\n[[mistake]]\nname = \"b\"\nsays = \"\"\npage = \"\"\n"
+                                                            "from = \"one\"\nto = \"1\"\n");
+        return tools::read_mistakes(file, "one two");
+    };
+    const auto complaint = [&](const std::string& keys) {
+        try {
+            (void)read(keys);
+        } catch (const scene::UserError& error) { return std::string(error.what()); }
+        return std::string("read");
+    };
+    const std::vector<tools::Mistake> mistakes = read("from = \"two\"\nto = \"$ + $\"\nvalues = [0.25, 3, 1e9]\n");
+    std::vector<std::string> texts;
+    for (const tools::Variant& v : tools::make_variants("one two", mistakes, true)) texts.push_back(v.text);
+    CHECK(texts == std::vector<std::string>{"one two", "one 0.25f + 0.25f", "one 3.0f + 3.0f", "one 1e+09f + 1e+09f",
+                                            "1 two", "1 0.25f + 0.25f", "1 1e+09f + 1e+09f"});
+    CHECK(complaint("from = \"two\"\nto = \"$\"\n").find("m.toml:6:6: 'to' in [[mistake]]: expected '$'") !=
+          std::string::npos);
+    CHECK(complaint("from = \"two\"\nto = \"2\"\nvalues = [1]\n").find("expected '$'") != std::string::npos);
+    CHECK(complaint("from = \"two\"\nto = \"$\"\nvalues = [2, 1]\n").find("increasing") != std::string::npos);
+    CHECK(complaint("from = \"two\"\nto = \"$\"\nvalues = [\"2\"]\n").find("expected numbers") != std::string::npos);
 }
 
 // A part of them that costs seconds.
