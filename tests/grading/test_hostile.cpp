@@ -90,7 +90,7 @@ void attack(const fs::path& file, BoxTier tier, const Target& target) {
         BoxRequest build{{"/usr/bin/g++", "-std=c++20", "-w", (given / "student.cpp").string(), "-o", "program"},
                          {given},
                          compile,
-                         {2.0, 15.0, std::uint64_t(1) << 30, std::uint64_t(32) << 20, 16},
+                         {3.0, 15.0, std::uint64_t(1) << 30, std::uint64_t(32) << 20, 16},
                          tier};
         const BoxOutcome built = run_in_box(build, false);
         check_quiet(built, build.limits);
