@@ -90,7 +90,7 @@ void attack(const fs::path& file, BoxTier tier, const Target& target) {
         BoxRequest build{{"/usr/bin/g++", "-std=c++20", "-w", (given / "student.cpp").string(), "-o", "program"},
                          {given},
                          compile,
-                         {3.0, 15.0, std::uint64_t(1) << 30, std::uint64_t(32) << 20, 16},
+                         {4.0, 15.0, std::uint64_t(1) << 30, std::uint64_t(32) << 20, 16},
                          tier};
         const BoxOutcome built = run_in_box(build, false);
         check_quiet(built, build.limits);
@@ -105,7 +105,7 @@ void attack(const fs::path& file, BoxTier tier, const Target& target) {
             BoxRequest run{{(given / "program").string()},
                            {given / "program"},
                            work,
-                           {1.0, 1.0, std::uint64_t(256) << 20, std::uint64_t(4) << 20, 1},
+                           {1.0, 1.5, std::uint64_t(256) << 20, std::uint64_t(4) << 20, 1},
                            tier};
             const BoxOutcome ran = run_in_box(run, false);
             check_quiet(ran, run.limits);
