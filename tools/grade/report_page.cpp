@@ -82,13 +82,20 @@ std::string test_html(const TestResult& test, Reader reader) {
     return html + "</article>\n";
 }
 
+/// What it looks like, which may need several lines of the page, and below it the first wrong function.
+std::string diagnosis_html(const std::string& diagnosis) {
+    const std::size_t end = std::min(diagnosis.find('\n'), diagnosis.size());
+    return "<p class=\"first\"><b>" + markup_text(diagnosis.substr(0, end)) + "</b>" +
+           markup_text(diagnosis.substr(end)) + "</p>\n";
+}
+
 std::string summary_html(const GradeResult& result) {
     const std::string due = result.deadline.empty() ? "" : ", due " + result.deadline;
     std::string html = "<header><h1>" + markup_text(result.submission) + "</h1>\n<p>" +
                        markup_text(result.assignment + due) + "</p>\n<p class=\"total\"><b>" +
                        points_text(result.points) + "</b> of " + points_text(result.max_points) + " points</p>\n";
     if (!result.error.empty()) html += "<pre class=\"bad\">" + markup_text(result.error) + "</pre>\n";
-    if (!result.diagnosis.empty()) html += "<p class=\"first\">" + markup_text(result.diagnosis) + "</p>\n";
+    if (!result.diagnosis.empty()) html += diagnosis_html(result.diagnosis);
     return html + "</header>\n<main>\n";
 }
 

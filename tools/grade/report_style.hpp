@@ -13,7 +13,7 @@ header p { margin-bottom: .7rem; }
 .good { color: var(--good); } .bad { color: var(--bad); }
 header .first { border-left: 5px solid var(--accent); padding: .2rem 1rem; white-space: pre-wrap; max-width: none;
                color: var(--ink); font-size: 1rem; }
-.first::first-line { font-weight: 600; }
+.first b { font-weight: 600; }
 h2 { margin: 2.2rem 0 .8rem; }
 article h3 { display: flex; gap: .7rem; align-items: baseline; }
 article h3 .points { margin-left: auto; font-weight: 600; white-space: nowrap; }

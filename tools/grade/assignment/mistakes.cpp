@@ -1,5 +1,9 @@
 #include "tools/grade/assignment/mistakes.hpp"
 
+#include <algorithm>
+#include <functional>
+#include <sstream>
+
 #include "tools/grade/assignment/table_reader.hpp"
 
 namespace kreda::tools {
@@ -8,7 +12,24 @@ namespace {
 
 namespace fs = std::filesystem;
 
-std::vector<TextChange> read_way(TableReader& reader) {
+/// 0.25 -> "0.25f", 9 -> "9.0f"
+std::string literal(double value) {
+    std::ostringstream text;
+    text << value;
+    return text.str() + (text.str().find_first_of(".e") == std::string::npos ? ".0f" : "f");
+}
+
+/// The changes with a number for each `$` of what becomes of the text.
+std::vector<TextChange> with_number(std::vector<TextChange> changes, double value) {
+    for (TextChange& change : changes) {
+        for (std::size_t at; (at = change.second.find('$')) != std::string::npos;) {
+            change.second.replace(at, 1, literal(value));
+        }
+    }
+    return changes;
+}
+
+std::vector<TextChange> read_changes(TableReader& reader) {
     std::vector<std::string> from, to;
     reader.require("from");
     reader.require("to");
@@ -28,6 +49,29 @@ void check_fits(const std::vector<TextChange>& changes, const std::string& solut
     }
 }
 
+/// One way, or with `values` a family of them.
+void read_ways(TableReader& reader, const std::string& solution, std::vector<Way>& ways) {
+    const std::vector<TextChange> changes = read_changes(reader);
+    check_fits(changes, solution, reader);
+    std::vector<double> values;
+    reader.read("values", values);
+    const auto has_number = [](const TextChange& change) { return change.second.find('$') != std::string::npos; };
+    if (std::any_of(changes.begin(), changes.end(), has_number) == values.empty()) {
+        reader.complain("to", "expected '$' where the numbers of 'values' are to stand, and nowhere else");
+    }
+    if (std::adjacent_find(values.begin(), values.end(), std::greater_equal<>()) != values.end()) {
+        reader.complain("values", "expected increasing numbers");
+    }
+    bool in_pairs = true;
+    reader.read("pairs", in_pairs);
+    const std::size_t family = ways.empty() ? 0 : ways.back().family + 1;
+    if (values.empty()) ways.push_back({changes, family, in_pairs});
+    for (std::size_t i = 0; i < values.size(); ++i) {
+        const bool is_end = i == 0 || i + 1 == values.size();
+        ways.push_back({with_number(changes, values[i]), family, in_pairs && is_end});
+    }
+}
+
 Mistake read_mistake(const scene::Value& table, const std::string& solution) {
     TableReader reader(table, "[[mistake]]");
     Mistake mistake;
@@ -35,12 +79,10 @@ Mistake read_mistake(const scene::Value& table, const std::string& solution) {
     reader.read("name", mistake.name);
     reader.read("says", mistake.says);
     reader.read("page", mistake.page);
-    mistake.ways.push_back(read_way(reader));
-    check_fits(mistake.ways.back(), solution, reader);
+    read_ways(reader, solution, mistake.ways);
     for (const scene::Value* other : reader.tables("also")) {
         TableReader way(*other, "[[mistake.also]]");
-        mistake.ways.push_back(read_way(way));
-        check_fits(mistake.ways.back(), solution, way);
+        read_ways(way, solution, mistake.ways);
         way.done();
     }
     reader.done();
@@ -80,15 +122,19 @@ std::vector<Variant> make_variants(const std::string& solution, const std::vecto
     for (std::size_t i = 0; i < mistakes.size(); ++i) {
         for (std::size_t way = 0; way < mistakes[i].ways.size(); ++way) {
             Variant variant{{i}, {way}, solution};
-            if (apply(mistakes[i].ways[way], variant.text)) variants.push_back(variant);
+            if (apply(mistakes[i].ways[way].changes, variant.text)) variants.push_back(variant);
         }
     }
     const std::size_t singles = variants.size();
+    const auto way_of = [&](std::size_t k) -> const Way& {
+        return mistakes[variants[k].mistakes[0]].ways[variants[k].ways[0]];
+    };
     for (std::size_t a = 1; with_pairs && a < singles; ++a) {
         for (std::size_t b = a + 1; b < singles; ++b) {
             const std::size_t i = variants[a].mistakes[0], j = variants[b].mistakes[0];
+            if (i == j || !way_of(a).in_pairs || !way_of(b).in_pairs) continue;
             Variant pair{{i, j}, {variants[a].ways[0], variants[b].ways[0]}, variants[a].text};
-            if (i != j && apply(mistakes[j].ways[pair.ways[1]], pair.text)) variants.push_back(pair);
+            if (apply(way_of(b).changes, pair.text)) variants.push_back(pair);
         }
     }
     return variants;

@@ -13,12 +13,18 @@ namespace kreda::tools {
 /// `from` becomes `to`, once; `from` stands in the solution exactly once.
 using TextChange = std::pair<std::string, std::string>;
 
+/// One way to make a mistake. Where a number in it is free, there is a way for each of some of its values: a family.
+struct Way {
+    std::vector<TextChange> changes;
+    std::size_t family = 0;  ///< the same for ways of a mistake that differ by their number alone
+    bool in_pairs = true;    ///< of a family only the least and the greatest number make pairs
+};
+
 struct Mistake {
-    std::string name;  ///< "normal_not_renormalised"
-    std::string says;  ///< "the normal is not renormalised after interpolation"
-    std::string page;  ///< of docs/: "24_shading"
-    /// Ways to make it: other constants, other places.
-    std::vector<std::vector<TextChange>> ways;
+    std::string name;       ///< "normal_not_renormalised"
+    std::string says;       ///< "the normal is not renormalised after interpolation"
+    std::string page;       ///< of docs/: "24_shading"
+    std::vector<Way> ways;  ///< other constants, other places; families one after the other, their numbers increasing
 };
 
 /// teacher/mistakes.toml beside the rubric. Throws UserError, also where a change does not fit the solution.
@@ -33,8 +39,8 @@ struct Variant {
     std::string text;
 };
 
-/// The solution, every way of every mistake, and with_pairs every pair of ways of two mistakes whose
-/// changes do not touch.
+/// The solution, every way of every mistake, and with_pairs every pair of ways of two mistakes whose changes do not
+/// touch, if both are in_pairs.
 [[nodiscard]] std::vector<Variant> make_variants(const std::string& solution, const std::vector<Mistake>& mistakes,
                                                  bool with_pairs);
 

@@ -11,6 +11,8 @@ namespace {
 
 /// Share of the rows that may differ between two answers that count as the same.
 constexpr double kSameShare = 0.002;
+/// Into so many steps the way between two neighbours of a family is divided.
+constexpr int kSteps = 8;
 
 /// The error of one number, made small and finite: what is far off is just far off.
 double error_of(double value, double expected, double scale) {
@@ -67,6 +69,11 @@ Fits::Fits(const Marking& m, const Catalogue& all) : marking(m), catalogue(all) 
         same_as.emplace_back(all.answers.tables[i].size());
         sums_to.emplace_back(all.answers.tables[i].size());
     }
+    products.resize(m.answers.size());
+    for (std::size_t k = 0; k < all.variants.size(); ++k) {
+        const Variant& v = all.variants[k];
+        if (v.ways.size() == 1) alone[{v.mistakes[0], v.ways[0]}] = k;
+    }
 }
 
 bool Fits::same(std::size_t variant, std::size_t i) {
@@ -76,6 +83,61 @@ bool Fits::same(std::size_t variant, std::size_t i) {
                              catalogue.answers.of(variant, i), kSameShare);
     }
     return *known;
+}
+
+double Fits::product(std::size_t a, std::size_t b, std::size_t i) {
+    const std::vector<std::vector<std::size_t>>& number = catalogue.answers.number;
+    const auto [found, is_new] = products[i].try_emplace({number[a][i], number[b][i]}, 0.0);
+    if (is_new) {
+        found->second = sums_of(marking.cases.inputs[i], marking.cases.expected[i], catalogue.answers.of(a, i),
+                                catalogue.answers.of(b, i))
+                            .sv;
+    }
+    return found->second;
+}
+
+double Fits::misfit(std::size_t variant, std::size_t i) {
+    if (same(variant, i)) return 0.0;
+    double best = misfit_of(sums(variant, i));
+    const Variant& v = catalogue.variants[variant];
+    for (std::size_t k = 0; v.ways.size() == 2 && k < 2; ++k) {
+        const std::size_t single = alone.at({v.mistakes[k], v.ways[k]});
+        if (catalogue.answers.number[single][i] != catalogue.answers.number[variant][i]) continue;
+        best = std::min(best, misfit_of_mistake(v.mistakes[k], i));
+    }
+    return best;
+}
+
+double Fits::misfit_of_mistake(std::size_t mistake, std::size_t i) {
+    const auto [found, is_new] = mistake_misfits_.try_emplace({mistake, i}, 1.0);
+    for (std::size_t way = 0; is_new && way < catalogue.mistakes[mistake].ways.size(); ++way) {
+        for (const Explanation& e : explanations(alone.at({mistake, way}))) {
+            found->second = std::min(found->second, misfit(e, i));
+        }
+    }
+    return found->second;
+}
+
+double Fits::misfit(const Explanation& e, std::size_t i) {
+    if (e.share <= 0.0) return misfit(e.variant, i);
+    const Sums &v = sums(e.variant, i), &w = sums(e.neighbour, i);
+    if (v.ss <= 0.0) return 1.0;
+    const double near = 1.0 - e.share, far = e.share;
+    const double sv = near * v.sv + far * w.sv;
+    const double vv = near * near * v.vv + 2.0 * near * far * product(e.variant, e.neighbour, i) + far * far * w.vv;
+    return std::clamp((v.ss - 2.0 * sv + vv) / v.ss, 0.0, 1.0);
+}
+
+std::vector<Explanation> Fits::explanations(std::size_t variant) const {
+    std::vector<Explanation> all{{variant, variant, 0.0}};
+    const Variant& v = catalogue.variants[variant];
+    if (v.ways.size() != 1) return all;
+    const std::vector<Way>& ways = catalogue.mistakes[v.mistakes[0]].ways;
+    const std::size_t way = v.ways[0];
+    const auto next = alone.find({v.mistakes[0], way + 1});
+    if (next == alone.end() || ways[way + 1].family != ways[way].family) return all;
+    for (int k = 1; k < kSteps; ++k) all.push_back({variant, next->second, static_cast<double>(k) / kSteps});
+    return all;
 }
 
 const Sums& Fits::sums(std::size_t variant, std::size_t i) {

@@ -1,7 +1,9 @@
 // A submission's answers beside those of the catalogue, table by table.
 #pragma once
 
+#include <map>
 #include <optional>
+#include <utility>
 #include <vector>
 
 #include "tools/grade/assignment/mistakes.hpp"
@@ -25,6 +27,13 @@ struct Sums {
 /// |s - a v|^2 / |s|^2 with the best a > 0; the error may be larger or smaller than the variant's, within limits.
 [[nodiscard]] double misfit_of(const Sums& sums);
 
+/// What may explain a submission: a variant, or something between two neighbours of one family, whose free number was
+/// not among those that were tried. The answers are taken to lie on the straight way between theirs.
+struct Explanation {
+    std::size_t variant = 0, neighbour = 0;
+    double share = 0.0;  ///< 0: the variant itself, up to 1: its neighbour
+};
+
 /// A submission beside the catalogue, table by table. Variants share their answers: each is looked at once, when it is
 /// asked for.
 struct Fits {
@@ -33,6 +42,8 @@ struct Fits {
     std::vector<bool> wrong, speaks;  ///< [input]: the submission is wrong; in a way that says something
     std::vector<std::vector<std::optional<bool>>> same_as;  ///< [input][number], as in VariantAnswers
     std::vector<std::vector<std::optional<Sums>>> sums_to;
+    std::vector<std::map<std::pair<std::size_t, std::size_t>, double>> products;  ///< [input]: two answers' errors
+    std::map<std::pair<std::size_t, std::size_t>, std::size_t> alone;             ///< mistake and way -> its variant
 
     Fits(const Marking& m, const Catalogue& all);
     [[nodiscard]] const std::vector<std::size_t>& mistakes(std::size_t variant) const {
@@ -44,13 +55,24 @@ struct Fits {
     /// Does the variant answer every row of this table as the submission does?
     [[nodiscard]] bool same(std::size_t variant, std::size_t i);
     [[nodiscard]] const Sums& sums(std::size_t variant, std::size_t i);
-    /// Share of the submission's error that the variant leaves unexplained; 0 where they are the same.
-    [[nodiscard]] double misfit(std::size_t variant, std::size_t i) {
-        return same(variant, i) ? 0.0 : misfit_of(sums(variant, i));
-    }
+    /// Share of the submission's error that the variant leaves unexplained; 0 where they are the same. On a table that
+    /// only one of two mistakes spoils, any way to make that one will do.
+    [[nodiscard]] double misfit(std::size_t variant, std::size_t i);
     [[nodiscard]] bool is_wrong(std::size_t variant, std::size_t i) {
         return sums(variant, i).vv > 1e-6;
     }
+    [[nodiscard]] double misfit(const Explanation& e, std::size_t i);
+    [[nodiscard]] bool is_wrong(const Explanation& e, std::size_t i) {
+        return is_wrong(e.variant, i) || (e.share > 0.0 && is_wrong(e.neighbour, i));
+    }
+    /// The variant, and what lies between it and the next of its family, if there is one.
+    [[nodiscard]] std::vector<Explanation> explanations(std::size_t variant) const;
+
+private:
+    /// The best of all ways to make a mistake.
+    [[nodiscard]] double misfit_of_mistake(std::size_t mistake, std::size_t i);
+    std::map<std::pair<std::size_t, std::size_t>, double> mistake_misfits_;
+    [[nodiscard]] double product(std::size_t a, std::size_t b, std::size_t i);
 };
 
 }  // namespace kreda::tools

@@ -62,6 +62,16 @@ void TableReader::read(const std::string& key, std::vector<std::string>& result)
     }
 }
 
+void TableReader::read(const std::string& key, std::vector<double>& result) {
+    const Value* value = find(key, ValueKind::array, "numbers in [ ]");
+    if (value == nullptr) return;
+    result.clear();
+    for (const Value& item : value->items) {
+        if (item.kind != ValueKind::number && item.kind != ValueKind::integer) complain(key, "expected numbers");
+        result.push_back(item.kind == ValueKind::integer ? static_cast<double>(item.integer) : item.number);
+    }
+}
+
 std::vector<const Value*> TableReader::tables(const std::string& key) {
     std::vector<const Value*> result;
     const Value* value = find(key, ValueKind::array, ("[[" + key + "]]").c_str());

@@ -19,6 +19,7 @@ public:
     void read(const std::string& key, int& result, int least, int most);
     void read(const std::string& key, bool& result);
     void read(const std::string& key, std::vector<std::string>& result);  ///< a text or an array of texts
+    void read(const std::string& key, std::vector<double>& result);       ///< an array of numbers
     /// The tables of [[key]], or none.
     [[nodiscard]] std::vector<const scene::Value*> tables(const std::string& key);
     /// The table of [key], or null.

@@ -57,7 +57,7 @@ VariantAnswers answers_of_variants(const Rubric& rubric, const CaseSet& cases, c
     const std::string name = content_name(read_text(harness.string()) + source);
     const fs::path built = cached_folder("variants-" + name, [&](const fs::path& folder) {
         write_file((folder / "variants.cpp").string(), source);
-        run_trusted({"/usr/bin/g++", "-std=c++20", "-DGLM_FORCE_XYZW_ONLY", "-O2", "-w", "-ffp-contract=off", "-I",
+        run_trusted({"/usr/bin/g++", "-std=c++20", "-DGLM_FORCE_XYZW_ONLY", "-O1", "-w", "-ffp-contract=off", "-I",
                      harness.parent_path().string(), (folder / "variants.cpp").string(), "-o",
                      (folder / "program").string()});
     });

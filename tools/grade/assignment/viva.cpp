@@ -17,13 +17,21 @@ namespace {
 
 namespace fs = std::filesystem;
 
+constexpr const char* kOfPixels = "Pixels count from (0, 0), the picture's top left.\n\n";
+
+/// Whole numbers exactly, as edge functions need them; of others enough digits to work out two of a result.
+std::string digits_of(double value) {
+    char text[32];
+    const bool is_whole = std::abs(value) < 1e15 && value == std::round(value);
+    std::snprintf(text, sizeof text, is_whole ? "%.0f" : "%.5g", value);
+    return text;
+}
+
 /// Numbers of a row of one column, "(0.1, 0.2, 0.3)".
 std::string cell_text(const StageColumn& c, std::size_t row) {
     std::string text;
     for (std::size_t i = 0; i < c.components; ++i) {
-        char number[32];
-        std::snprintf(number, sizeof number, "%.3g", c.values[row * c.components + i]);
-        text += (i > 0 ? ", " : "") + std::string(number);
+        text += (i > 0 ? ", " : "") + digits_of(c.values[row * c.components + i]);
     }
     return c.components > 1 ? "(" + text + ")" : text;
 }
@@ -48,6 +56,7 @@ struct Source {
     const CaseSet& cases;
     const Answers& answers;
     std::mt19937 dice;
+    std::map<std::string, int> asked = {};  ///< function -> how many questions want a value of it
 
     std::size_t pick(std::size_t count) {
         return dice() % count;
@@ -75,7 +84,14 @@ bool is_interesting(const StageTable& answers, std::size_t row) {
     return false;
 }
 
-/// What does your function give at this pixel?
+/// Are the numbers of the answer among the arguments? Then there is nothing to work out.
+bool stands_in_arguments(const StageTable& input, const StageColumn& answer, std::size_t row) {
+    return std::any_of(input.columns.begin(), input.columns.end(), [&](const StageColumn& c) {
+        return c.per_row && c.components == answer.components && cell_text(c, row) == cell_text(answer, row);
+    });
+}
+
+/// What does your function give at this pixel? Functions that were asked for least often come first.
 bool ask_value(Source& s, VivaQuestion& q) {
     const std::vector<std::size_t> tables = s.tables();
     for (int tries = 0; tries < 50 && !tables.empty(); ++tries) {
@@ -83,8 +99,12 @@ bool ask_value(Source& s, VivaQuestion& q) {
         const StageTable& input = s.cases.inputs[i];
         const StageTable& out = s.answers.tables[i];
         const std::size_t row = s.pick(input.rows);
-        if (!is_interesting(out, row)) continue;
+        const auto fewer = [&](std::size_t k) { return s.asked[s.cases.inputs[k].stage] < s.asked[input.stage]; };
+        const bool is_late = tries < 40 && std::any_of(tables.begin(), tables.end(), fewer);
+        if (is_late || !is_interesting(out, row)) continue;
         const StageColumn& column = out.columns[s.pick(out.columns.size())];
+        if (stands_in_arguments(input, column, row)) continue;
+        ++s.asked[input.stage];
         q.question = "Work it out by hand: " + pixel_text(input, row) + " your program calls " + call_text(input, row) +
                      ". What does your function give for " + column.name + ", to two digits?";
         q.answer = column.name + " = " + cell_text(column, row);
@@ -150,6 +170,11 @@ std::string changed_functions(const Source& s, const Answers& changed) {
     return text;
 }
 
+/// Does a text stand in a line more than once?
+bool is_repeated(const std::string& line, const std::string& text) {
+    return line.find(text) != line.rfind(text);
+}
+
 /// What if this + were a -? The changed code is compiled and run.
 bool ask_change(Source& s, const fs::path& submission, const GradeOptions& options, VivaQuestion& q) {
     const std::vector<ChangedLine> changes = changed_lines(read_text((submission / s.rubric.student_file).string()));
@@ -161,8 +186,9 @@ bool ask_change(Source& s, const fs::path& submission, const GradeOptions& optio
         if (program.file.empty()) continue;
         const std::string functions = changed_functions(s, run_submission(s.rubric, program, s.cases, options));
         if (functions.empty()) continue;
+        const std::string op = " " + change.from + " ", which = is_repeated(change.text, op) ? "first " : "";
         q.question = "Line " + std::to_string(change.line) + " of your " + s.rubric.student_file + " is\n\n        " +
-                     change.text + "\n\n    What if its `" + change.from + "` were `" + change.to +
+                     change.text + "\n\n    What if its " + which + "`" + change.from + "` were `" + change.to +
                      "`? Which of your functions would give other results on the public scenes, and how would the "
                      "picture change?";
         q.answer = functions;
@@ -223,11 +249,11 @@ std::vector<VivaQuestion> make_viva(const Rubric& rubric, const CaseSet& cases, 
 }
 
 std::string viva_sheet(const std::string& title, const std::vector<VivaQuestion>& questions) {
-    return "# " + title + "\n\n" + numbered(questions, false);
+    return "# " + title + "\n\n" + kOfPixels + numbered(questions, false);
 }
 
 std::string viva_key(const std::string& title, const std::vector<VivaQuestion>& questions) {
-    return "# " + title + ": answers, not for the student\n\n" + numbered(questions, true);
+    return "# " + title + ": answers, not for the student\n\n" + kOfPixels + numbered(questions, true);
 }
 
 }  // namespace kreda::tools
