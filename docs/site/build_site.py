@@ -13,6 +13,7 @@ from pathlib import Path
 sys.path.insert(0, str(Path(__file__).resolve().parent))
 import glossary
 import live
+import live_code
 import pages
 import pandoc
 import reference
@@ -151,6 +152,8 @@ class Site:
         body = self.glossary.link(page, body)
         if page.number in self.live:
             body = live.put(body, self.live[page.number], page.title)
+        if page.number in self.edit:
+            body = live_code.put(body, self.edit[page.number], page.title)
         eyebrow = f"{page.number[0]}x {pages.FAMILIES[page.number[0]]}" if page.number else ""
         self.write(page, body, pager=self.pager(page), symbolrules=rules, eyebrow=eyebrow,
                    kind="lesson" if page.number else "guide")
@@ -176,6 +179,7 @@ class Site:
             shutil.copyfile(SITE / name, self.folder / name)
         copy_pictures(self.pages, self.folder, self.out_examples)
         self.live = live.write(ROOT, self.folder, self.kreda)
+        self.edit = live_code.write(ROOT, self.folder, {p.number: p.title for p in self.lessons})
         with ThreadPoolExecutor(2) as pool:
             bodies = list(pool.map(self.convert, [p for p in self.pages if p.markdown]))
         made = {"docs/symbols.toml": "<p>Every symbol of every numbered equation: what it is, where the code has it, and its number at one "
