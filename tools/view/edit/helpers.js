@@ -49,7 +49,7 @@ export function runProgram(source, module, args, inputs, limit) {
     const end = (answer) => { worker.terminate(); resolve({ outputs: new Uint8Array(0), ...answer }); };
     worker.onmessage = ({ data }) => {
       if (!data.begun) return end(data);
-      setTimeout(() => end({ why: `was stopped after ${limit / 1000} s: does a loop not end?`, stopped: true }), limit);
+      setTimeout(() => end({ why: `was stopped after ${limit / 1000} s: does a loop not end?` }), limit);
     };
     worker.onerror = (event) => end({ why: `crashed (${event.message})` });
     worker.postMessage({ module, args, inputs });

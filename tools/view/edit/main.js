@@ -2,13 +2,12 @@
 import { Editor, complaintsOf } from './editor.js';
 import { Helper, loadPart, runProgram } from './helpers.js';
 
-const LIMIT = 1000; // milliseconds that a program may run
-
 const $ = (id) => document.getElementById(id);
 const source = (id) => $(id).textContent;
 const lesson = JSON.parse(source('lesson')); // number, assignment, title, stages, start, folder
 const texts = { lesson: lesson.start, whole: null };
-const page = { which: 'lesson', compiler: null, grader: null, assignment: null, result: null, runs: 0, shown: '' };
+const page = { which: 'lesson', compiler: null, grader: null, assignment: null, result: null, runs: 0, shown: '',
+  limit: 1000 }; // milliseconds that a program may run
 
 function say(line, isWrong = false) {
   $('state').textContent = line;
@@ -38,9 +37,9 @@ async function runAll(program) {
   const { inputs } = await page.grader.call('inputs');
   const run = async (stage) => {
     const args = ['program', '/inputs.bin', '/outputs.bin', ...(stage ? [stage] : [])];
-    const { outputs, why, stopped } = await runProgram(source('run-worker'), module, args, inputs, LIMIT);
+    const { outputs, why } = await runProgram(source('run-worker'), module, args, inputs, page.limit);
     const { left } = await page.grader.call('answers', outputs, stage, why ? `your program ${why}` : '');
-    return { left, stopped, why };
+    return { left, why };
   };
   const whole = await run('');
   for (const stage of whole.left) {
@@ -72,7 +71,7 @@ async function test() {
     const times = `${((performance.now() - begin) / 1000).toFixed(1)} s, of it compiling ${((compiled - compileBegin) / 1000).toFixed(1)} s`;
     if (!program) say(`It does not compile: see the marked lines. ${times}.`, true);
     else say(ended.why ? `The program ${ended.why} ${times}.` : `Compiled and tested in ${times}.`, Boolean(ended.why));
-    Object.assign(document.documentElement.dataset, { seconds: (performance.now() - begin) / 1000, compiled: (compiled - compileBegin) / 1000 });
+    console.info(`loaded ${(compileBegin - begin) | 0} ms, compiled ${(compiled - compileBegin) | 0} ms, all ${(performance.now() - begin) | 0} ms`);
   } catch (error) { say(error.message, true); }
   $('test').disabled = false;
   document.documentElement.dataset.runs = page.runs += 1;
