@@ -121,7 +121,7 @@ function showResult({ file, pictures }) {
 function showScenes(tests) {
   const names = [...new Set(page.result.pictures.map(({ test }) => test))];
   $('scene').replaceChildren(...names.map((name) => new Option(name.replace(/^\d+ picture: /, ''), name)));
-  const wrong = tests.find(({ name, passed }) => !passed && names.includes(name))?.name;
+  const wrong = tests.find(({ name, message }) => names.includes(name) && /pixels/.test(message))?.name;
   $('scene').value = names.includes(page.shown) ? page.shown : wrong ?? names[0] ?? '';
   showPictures();
 }
