@@ -1,7 +1,7 @@
 // live: A4 phong_color shade_pixel
 // Phong shading: normals are interpolated, the light is computed at the pixel.
-// What is interpolated is shorter than 1: the highlights fade between the
-// corners. Make it a unit vector. The other functions are given.
+// What is interpolated is not of unit length, and the light is far too strong.
+// Make it a unit vector. The other functions are given.
 #include "assignment.hpp"
 
 glm::vec3 phong_color(const Triangle& t, const Weights& w, const Lit& lit) {
