@@ -14,6 +14,7 @@ sys.path.insert(0, str(Path(__file__).resolve().parent))
 import gallery
 import glossary
 import live
+import live_code
 import pages
 import pandoc
 import paper
@@ -149,6 +150,8 @@ class Site:
         body = self.glossary.link(page, body)
         if page.number in self.live:
             body = live.put(body, self.live[page.number], page.title)
+        if page.number in self.edit:
+            body = live_code.put(body, self.edit[page.number], page.title)
         eyebrow = (f'{page.number[0]}x {pages.FAMILIES[page.number[0]]} · <a href="gallery.html#{page.name}">its pictures</a>'
                    if page.number in self.shown else f"{page.number[0]}x {pages.FAMILIES[page.number[0]]}" if page.number else "")
         self.write(page, body, pager=self.pager(page), eyebrow=eyebrow,
@@ -176,6 +179,7 @@ class Site:
         copy_pictures(self.pages, self.folder, self.out_examples)
         self.shown = {p.number for p in self.lessons if gallery.pictures_of(p, self.out_examples, ROOT / "docs/images")}
         self.live = live.write(ROOT, self.folder, self.kreda)
+        self.edit = live_code.write(ROOT, self.folder, {p.number: p.title for p in self.lessons})
         with ThreadPoolExecutor(2) as pool:
             bodies = list(pool.map(self.convert, [p for p in self.pages if p.markdown]))
         made = {"docs/symbols.toml": "<p>Every symbol of every numbered equation: what it is, where the code has it, and its number at one "

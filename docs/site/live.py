@@ -18,6 +18,19 @@ def controls(scene):
     return said.group(1).split()
 
 
+MODULE = re.compile(r'(<script type="text/plain" id="wasm">)(.*?)(</script>)', re.S)
+
+
+def share_module(page):
+    """Take the module out of a page: live/module.js, which all of them load. It hands over a text, for a page from a disk may load
+    scripts and nothing else."""
+    text = page.read_text(encoding="utf-8")
+    found = MODULE.search(text)
+    (page.parent / "module.js").write_text(f'document.getElementById("wasm").textContent = "{found.group(2)}";\n', encoding="utf-8")
+    text = MODULE.sub(r'\1\3\n<script src="module.js"></script>', text)
+    page.write_text(text.replace("script-src 'unsafe-inline'", "script-src 'self' file: 'unsafe-inline'", 1), encoding="utf-8")
+
+
 def write(root, folder, kreda):
     """Pages live/NN.html; {number: page}. None where kreda has no page to put a scene in: the pictures stay."""
     def one(item):
@@ -33,6 +46,8 @@ def write(root, folder, kreda):
         made = dict(pool.map(one, scenes(root).items()))
     if made and not any(made.values()):
         print("note: ./course view builds what live figures need; this site has pictures alone")
+    for page in filter(None, made.values()):
+        share_module(folder / page)
     return {number: page for number, page in made.items() if page}
 
 

@@ -1,6 +1,7 @@
 #!/usr/bin/env python3
 """Opens pages of `kreda view` in headless Chromium: the film's bits are the program's, keys and controls change the picture,
-R and "Undo all" bring it back to the bit, a pixel is explained, a broken file is one line, a crash is survived.
+R and "Undo all" bring it back to the bit, fingers turn and come nearer, a pixel is explained, a broken file is one line, a crash is
+survived.
 Usage: check_browser.py CHROMIUM KREDA HASH_SCENE_FILES FOLDER   (in the folder of the sources)"""
 import re
 import shutil
@@ -71,6 +72,33 @@ def check_use(browser, film):
     print("camera, keys, explain, a broken file and a crash: as they should be")
 
 
+def touch(browser, kind, *points):
+    browser.ask("Input.dispatchTouchEvent", browser.session, type=kind, touchPoints=[{"x": x, "y": y, "id": i} for i, (x, y) in enumerate(points)])
+
+
+def check_touch(browser, film):
+    """One finger goes round, two fingers that part come nearer; without a finger nothing moves, and R goes back."""
+    browser.ask("Emulation.setDeviceMetricsOverride", browser.session, width=390, height=800, deviceScaleFactor=1, mobile=True)
+    browser.ask("Emulation.setTouchEmulationEnabled", browser.session, enabled=True, maxTouchPoints=2)
+    assert browser.value("document.documentElement.scrollWidth") <= 390, "the page is wider than a telephone"
+    box = browser.value("(({ x, y, width, height }) => [x, y, width, height])(document.getElementById('picture').getBoundingClientRect())")
+    x, y = box[0] + box[2] / 2, box[1] + box[3] / 2
+    distance = "Math.hypot(...kreda.hand.position.map((p, i) => p - kreda.hand.target[i]))"
+    before = browser.value(distance)
+    touch(browser, "touchStart", (x, y))
+    touch(browser, "touchMove", (x + 60, y + 10))
+    touch(browser, "touchEnd")
+    assert browser.value(AT_REST) != film, "a finger was drawn over the picture, and it stayed"
+    assert abs(browser.value(distance) - before) < 1e-6 * before, "one finger changed the distance"
+    touch(browser, "touchStart", (x - 20, y), (x + 20, y))
+    touch(browser, "touchMove", (x - 60, y), (x + 60, y))
+    touch(browser, "touchEnd")
+    assert browser.value(distance) < 0.7 * before, f"two fingers parted: {browser.value(distance)}, {before} before"
+    key(browser, "r")
+    assert browser.wait(f"{AT_REST}.then(h => h === '{film}')", 20), "R does not bring the picture back after touches"
+    print("touch: one finger and two, at 390 pixels")
+
+
 def main():
     folder = Path(FOLDER).resolve()
     folder.mkdir(parents=True, exist_ok=True)
@@ -79,6 +107,7 @@ def main():
     try:
         films = [check_film(browser, scene, folder) for scene in reversed(SCENES)]
         check_use(browser, films[-1])
+        check_touch(browser, films[-1])
     finally:
         browser.close()
 

@@ -2,18 +2,17 @@
 
 #include <algorithm>
 #include <cmath>
-#include <string>
-#include <utility>
 #include <vector>
 
 #include <glm/common.hpp>
 
 #include "raster/film.hpp"
-#include "tools/draw/draw.hpp"
 
 namespace kreda::tools {
 
 namespace {
+
+using raster::Image;
 
 const glm::vec3 kNotANumber(1.0f, 0.0f, 0.0f);
 
@@ -22,11 +21,6 @@ glm::vec3 heat_color(float steps) {
     constexpr glm::vec3 kCold(0.20f, 0.45f, 0.95f), kWarm(0.98f, 0.85f, 0.25f), kHot(0.95f, 0.15f, 0.10f);
     const float t = std::log2(std::clamp(steps, 1.0f, 16.0f)) / 2.0f;
     return t < 1.0f ? glm::mix(kCold, kWarm, t) : glm::mix(kWarm, kHot, t - 1.0f);
-}
-
-int enlargement(int width) {
-    constexpr int kSmallestWidth = 320;
-    return std::max(1, (kSmallestWidth + width - 1) / width);
 }
 
 }  // namespace
@@ -59,34 +53,6 @@ Image heat_map(const Comparison& comparison, const Image& expected, Numbers numb
         }
     }
     return map;
-}
-
-Image side_by_side(const Comparison& comparison, const Image& actual, const Image& expected, Numbers numbers) {
-    constexpr int kGap = 8, kScale = 2, kCaption = 7 * kScale + 2 * kGap;
-    std::vector<std::pair<std::string, Image>> panels;
-    panels.emplace_back("A", shown(actual, numbers));
-    panels.emplace_back("B (expected)", shown(expected, numbers));
-    if (comparison.comparable) panels.emplace_back("difference", heat_map(comparison, expected, numbers));
-    const int factor = enlargement(std::min(actual.width, expected.width));
-    int width = kGap, height = 0;
-    for (auto& [caption, panel] : panels) {
-        panel = enlarge(panel, factor);
-        width += panel.width + kGap;
-        height = std::max(height, panel.height);
-    }
-    Image board = make_board(width, height + kCaption + kGap);
-    int x = kGap;
-    for (const auto& [caption, panel] : panels) {
-        draw_text(board, {x, kGap}, caption, kChalk, kScale);
-        x += panel.width + kGap;
-    }
-    board = raster::develop(board, {});
-    x = kGap;
-    for (const auto& [caption, panel] : panels) {
-        paste(board, panel, x, kCaption);
-        x += panel.width + kGap;
-    }
-    return board;
 }
 
 }  // namespace kreda::tools

@@ -47,12 +47,16 @@ target_link_libraries(kreda_files PUBLIC kreda_scene)  # each calls the other
 
 file(GLOB explain_sources ${PROJECT_SOURCE_DIR}/tools/explain/*.cpp)
 list(FILTER explain_sources EXCLUDE REGEX "_command\\.cpp$")
+add_library(kreda_explain OBJECT ${explain_sources})
+target_link_libraries(kreda_explain PUBLIC kreda_scene)
+set_target_properties(kreda_explain PROPERTIES UNITY_BUILD OFF)
+target_compile_options(kreda_explain PRIVATE -Os)
 
-add_executable(kreda_web ${explain_sources} ${PROJECT_SOURCE_DIR}/tools/view/web_module.cpp
+add_executable(kreda_web ${PROJECT_SOURCE_DIR}/tools/view/web_module.cpp
   ${PROJECT_SOURCE_DIR}/tools/view/viewer.cpp ${PROJECT_SOURCE_DIR}/tools/view/explain_on_screen.cpp
   ${PROJECT_SOURCE_DIR}/tools/view/scene_text.cpp
   ${PROJECT_SOURCE_DIR}/tools/keys_json.cpp ${PROJECT_SOURCE_DIR}/tools/mesh_scene.cpp)
-target_link_libraries(kreda_web PRIVATE kreda_scene)
+target_link_libraries(kreda_web PRIVATE kreda_scene kreda_explain)
 set_target_properties(kreda_web PROPERTIES UNITY_BUILD OFF)
 target_compile_options(kreda_web PRIVATE -Os)
 set_source_files_properties(${PROJECT_SOURCE_DIR}/tools/view/viewer.cpp PROPERTIES COMPILE_OPTIONS -O3)
@@ -67,6 +71,24 @@ add_custom_command(OUTPUT ${view_page} DEPENDS kreda_web ${page_parts} ${PROJECT
           $<TARGET_FILE:kreda_web> $<TARGET_FILE_DIR:kreda_web>/kreda_web.wasm ${view_page}
   COMMENT "Writing share/kreda/view.html" VERBATIM)
 add_custom_target(view_page ALL DEPENDS ${view_page})
+
+# Assignments in the browser: what grades them, without the box; tools/view/edit compiles and runs the student's file.
+file(GLOB grade_sources ${PROJECT_SOURCE_DIR}/tools/grade/assignment/*.cpp)
+list(FILTER grade_sources INCLUDE REGEX
+  "/(a[0-9]_[a-z_]+|assignment|light_columns|rubric|scene_case|scene_record|score|stage_check|stage_table|table_reader)\\.cpp$")
+set(tools ${PROJECT_SOURCE_DIR}/tools)
+add_library(grade_assignments OBJECT EXCLUDE_FROM_ALL ${grade_sources})
+target_link_libraries(grade_assignments PUBLIC kreda_scene)
+set_target_properties(grade_assignments PROPERTIES UNITY_BUILD ON UNITY_BUILD_BATCH_SIZE 8)
+target_compile_options(grade_assignments PRIVATE -Os)
+add_executable(grade_web EXCLUDE_FROM_ALL ${tools}/view/web_grade.cpp
+  ${tools}/view/web_png.cpp ${tools}/base64.cpp ${tools}/grade/result_json.cpp ${tools}/grade/plain_text.cpp
+  ${tools}/gallery/markdown.cpp ${tools}/compare/compare.cpp ${tools}/compare/compare_pictures.cpp)
+target_link_libraries(grade_web PRIVATE kreda_scene kreda_explain grade_assignments)
+set_target_properties(grade_web PROPERTIES UNITY_BUILD OFF)
+target_compile_options(grade_web PRIVATE -Os)
+target_link_options(grade_web PRIVATE --no-entry -sMODULARIZE=1 -sEXPORT_NAME=makeKreda -sEXPORTED_RUNTIME_METHODS=ccall,FS
+  -sEXPORTED_FUNCTIONS=_malloc,_free -sENVIRONMENT=web,worker,node -sFILESYSTEM=1 -O2)
 
 # Programs for node, not built unless a test asks: `node hash_scenes.js`, and with files of the disk hash_scene_files.js.
 add_executable(hash_scenes EXCLUDE_FROM_ALL ${PROJECT_SOURCE_DIR}/tests/variants/hash_scenes.cpp)

@@ -1,11 +1,28 @@
 // Files in and out: dropped ones become part of the scene, the scene file and the picture can be saved.
 
+const UNREAD = [[/\.exr$/i, 'EXR', 'write it as .hdr: oiiotool in.exr -o out.hdr'], [/\.(glb|gltf)$/i, 'glTF', 'export the mesh as .obj']];
 const IMAGES = /\.(png|jpe?g|tga|bmp)$/i;
 
-/** {name: bytes} of files that were dropped or chosen. */
+/** WebP is read by the browser and handed on as PNG, values as they stand in the file. */
+async function pngOf(file) {
+  try {
+    const picture = await createImageBitmap(file, { colorSpaceConversion: 'none', premultiplyAlpha: 'none' });
+    const canvas = new OffscreenCanvas(picture.width, picture.height);
+    canvas.getContext('2d').drawImage(picture, 0, 0);
+    return await canvas.convertToBlob({ type: 'image/png' });
+  } catch {
+    throw new Error(`${file.name}: cannot be read; the file is damaged or no WebP`);
+  }
+}
+
+/** {name: bytes} of files that were dropped or chosen; x.webp becomes x.png. */
 export async function bytesOf(list) {
   const files = {};
-  for (const file of list) files[file.name.replace(/[\\/]/g, '_')] = new Uint8Array(await file.arrayBuffer());
+  for (const file of list) {
+    const isWebp = /\.webp$/i.test(file.name);
+    const name = file.name.replace(/[\\/]/g, '_').replace(/\.webp$/i, '.png');
+    files[name] = new Uint8Array(await (isWebp ? await pngOf(file) : file).arrayBuffer());
+  }
   return files;
 }
 
@@ -15,6 +32,10 @@ export async function bytesOf(list) {
  */
 export function meaningOf(names, material) {
   const named = (ending) => names.find((name) => ending.test(name));
+  for (const [ending, kind, remedy] of UNREAD) {
+    const name = named(ending);
+    if (name) throw new Error(`${name}: ${kind} is not read in the browser; ${remedy}`);
+  }
   const scene = named(/\.toml$/i) ?? named(/\.(obj|stl|ply|glb|gltf|fbx)$/i);
   if (scene) return { open: scene };
   const light = named(/\.(hdr|exr)$/i);
@@ -27,7 +48,7 @@ export function meaningOf(names, material) {
   if (map) throw new Error(`${map}: there is no [[material]] in the scene file that could wear it`);
   const mtl = named(/\.mtl$/i);
   if (mtl) return { changes: [] };
-  throw new Error(`${names[0]}: not a file for a scene (expected .toml, .obj, .mtl, .png, .jpg or .hdr)`);
+  throw new Error(`${names[0]}: not a file for a scene (expected .toml, .obj, .mtl, .png, .jpg, .webp or .hdr)`);
 }
 
 export function save(blob, name) {
