@@ -16,6 +16,7 @@ GUIDES = {
                ("docs/environment.md", "Light from an image"), ("docs/gltf.md", "Models from elsewhere"),
                ("docs/brdf_plots.md", "Reflection models side by side"), ("docs/performance.md", "Performance")],
     "To build on": [("docs/architecture.md", "The rooms of the house"), ("docs/extend.md", "Add a distribution"),
+                    ("docs/extremes.md", "What is done to break it"),
                     ("docs/install.md", "Install it, build on it"),
                     ("CONTRIBUTING.md", "How to change Kreda"), ("docs/joss.md", "For a journal's reviewer"),
                     ("docs/sources-of-data.md", "Where the data comes from"), ("CODE_OF_CONDUCT.md", "Code of conduct"),

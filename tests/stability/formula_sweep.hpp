@@ -99,6 +99,7 @@ struct SweepResult {
 [[nodiscard]] std::vector<Formula> formulas_of_reflection();
 [[nodiscard]] std::vector<Formula> formulas_of_raster();
 [[nodiscard]] std::vector<Formula> formulas_of_shadows();
+[[nodiscard]] std::vector<Formula> formulas_of_rays();
 [[nodiscard]] std::vector<Formula> formulas_of_models();
 [[nodiscard]] std::vector<Formula> formulas_of_directions();
 [[nodiscard]] std::vector<Formula> formulas_of_depth();

@@ -121,7 +121,7 @@ std::vector<Formula> distributions() {
          -26,
          0,
          true,
-         1e-6,
+         2.5e-7,
          {kAngle},
          [](const Inputs& x) {
              const Half h = half_of(x[0]);

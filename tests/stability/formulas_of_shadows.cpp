@@ -2,11 +2,8 @@
 #include <algorithm>
 #include <cmath>
 
-#include "shadows/light_ray.hpp"
 #include "shadows/map_point.hpp"
-#include "shadows/planar.hpp"
 #include "shadows/soft_filter.hpp"
-#include "shadows/volume.hpp"
 #include "tests/stability/formula_sweep.hpp"
 
 namespace kreda::tests {
@@ -142,152 +139,140 @@ std::vector<Formula> formulas_of_maps() {
     };
 }
 
-/// What the exact methods share, in double.
-std::vector<Formula> formulas_of_rays() {
-    const Axis place{-1e3f, 1e3f, Spread::even, {0.0f, 1.0f}};
-    const Triangle triangle{{0.0f, 0.0f, 1.0f}, {1.0f, 0.0f, 1.5f}, {0.0f, 1.0f, 2.0f}};
-    const auto ray_from = [](const Inputs& x) {
-        return light_ray(glm::dvec4(0.25, 0.25, 10.0, 1.0), {x[0], x[1], -5.0f});
+/// The rest of the way from a point to its texel.
+std::vector<Formula> formulas_of_places() {
+    const Axis place{-1.0f, 1.0f, Spread::even, {0.0f, 1e-8f}};
+    const Axis distance{1e-3f, 1e6f, Spread::logarithmic, {1.0f}};
+    const Axis half_size{1e-3f, 1e6f, Spread::logarithmic, {1.0f}};
+    const Axis side{1.0f, 16384.0f, Spread::logarithmic, {1024.0f}};
+    const BiasTerms offset_bias{0.0f, 0.0f, 2.0f, 0.0f};
+    const glm::vec3 up{0.0f, 0.0f, 1.0f};
+    const auto scale_of = [](const Inputs& x) {
+        LightView view;
+        view.half_size = glm::vec2(x[0]);
+        return picture_scale(view, static_cast<int>(x[1]));
     };
-    const auto exact_hit = [=](const Inputs& x) {
-        const Wide p(x[0], x[1], -5.0L), to_light = Wide(0.25L, 0.25L, 10.0L) - p, a(triangle.a);
-        const Wide normal = glm::cross(Wide(triangle.b) - a, Wide(triangle.c) - a);
-        return glm::dot(normal, a - p) / glm::dot(normal, to_light);
-    };
+    const auto world_point = [](const Inputs& x) { return direction(x[0], x[1]) * x[2]; };
     return {
-        {"toward_light",
-         "light and point in [-1000, 1000]: x",
-         "[-2000, 2000]",
-         -2000,
-         2000,
-         false,
-         3e-13,
-         {place, place},
-         [](const Inputs& x) { return toward_light(glm::dvec4(x[0], 0, 0, 1), glm::dvec3(x[1], 0, 0)).x; },
-         [](const Inputs& x) { return Real{x[0]} - x[1]; }},
-        {"homogeneous",
-         "a directional light, its direction unit: z",
-         "[-1, 1]",
-         -1,
-         1,
-         false,
+        {"picture_scale",
+         "half size in [0.001, 1e6], 1 to 16384 texels: a texel's width",
+         "[1e-7, 2e6]",
+         1e-7,
+         2.1e6,
+         true,
+         2e-7,
+         {half_size, side},
+         [=](const Inputs& x) { return scale_of(x).texel.x; },
+         [](const Inputs& x) { return 2 * Real{x[0]} / static_cast<int>(x[1]); }},
+        {"picture_scale",
+         "half size in [0.001, 1e6], 1 to 16384 texels: texels a unit",
+         "[5e-7, 1e7]",
+         4e-7,
+         1e7,
+         true,
+         2e-7,
+         {half_size, side},
+         [=](const Inputs& x) { return scale_of(x).texels_per_unit.y; },
+         [](const Inputs& x) { return static_cast<int>(x[1]) / (2 * Real{x[0]}); }},
+        {"map_point_parallel",
+         "the point in a picture 2 wide with 1024 texels: v",
+         "[0, 1024]",
          0,
-         {kHeight},
-         [](const Inputs& x) {
-             ShadowLight light;
-             light.direction = direction(x[0], 0.0f);
-             return homogeneous(light).z;
+         1024,
+         false,
+         1.3e-4,
+         {place},
+         [=](const Inputs& x) {
+             return map_point_parallel({0.0f, x[0], 0.5f}, up, kPicture, kSlopeBias).v;
          },
-         [](const Inputs& x) { return -Real{x[0]}; }},
-        {"largest_coordinate",
-         "[-1000, 1000]",
+         [](const Inputs& x) { return 512 - x[0] * Real{512}; }},
+        {"map_point_perspective",
+         "the point in a picture of 90° and 1024 texels, distance in [0.001, 1e6]: v",
+         "[0, 1024]",
+         0,
+         1024,
+         false,
+         1.3e-4,
+         {place, distance},
+         [=](const Inputs& x) {
+             return map_point_perspective({0.0f, x[0] * x[1], -x[1]}, up, kPicture, kSlopeBias).v;
+         },
+         [](const Inputs& x) { return 512 - Real{x[0] * x[1]} / x[1] * 512; }},
+        {"map_point_perspective",
+         "n·l in [0.1, 1], distance in [1, 1000]: the biased distance",
          "[0, 1000]",
          0,
          1000,
          false,
-         0,
-         {place, place},
+         2e-4,
+         {{0.1f, 1.0f, Spread::even, {}}, {1.0f, 1e3f, Spread::logarithmic, {}}},
          [](const Inputs& x) {
-             return largest_coordinate({x[0], x[1], 0.0f});
+             return map_point_perspective({0.0f, 0.0f, -x[1]}, direction(x[0], 0.0f), kPicture, kSlopeBias).distance;
          },
-         [](const Inputs& x) { return std::max(std::fabs(Real{x[0]}), std::fabs(Real{x[1]})); }},
-        {"sheared",
-         "points in [-1000, 1000]: beside the ray",
-         "[0, 3000]",
-         0,
-         3000,
-         false,
-         1e-12,
-         {place, place},
-         [=](const Inputs& x) {
-             return glm::length(sheared(ray_from(x), {0.0f, 0.0f, 1.0f}));
-         },
-         [=](const Inputs& x) {
-             const Wide p(x[0], x[1], -5.0L), d = Wide(0.25L, 0.25L, 10.0L) - p, q = Wide(0, 0, 1.0L) - p;
-             const auto [i, j, k] = ray_from(x).axis;
-             return std::hypot(q[i] - d[i] / d[k] * q[k], q[j] - d[j] / d[k] * q[k]);
+         [](const Inputs& x) {
+             const glm::vec3 n = direction(x[0], 0.0f);
+             return x[1] - Real{1e-3f} - std::fabs(Real{n.x}) * x[1] / limited(n.z) * kPicture.texel.x / 2;
          }},
-        {"hit_parameter",
-         "points in [-1000, 1000], where the ray is not along the plane",
-         "any",
-         -1e15,
-         1e15,
-         true,
-         1e-9,
-         {{-10.0f, 10.0f, Spread::even, {}}, {-8.0f, 8.0f, Spread::even, {}}},
-         [=](const Inputs& x) { return hit_parameter(ray_from(x), triangle); },
-         exact_hit},
-        {"planar_projection",
-         "a light 10 high, points in [-1000, 1000] and 1 high: x on the floor",
-         "[-1200, 1200]",
-         -1200,
-         1200,
-         false,
-         1e-12,
-         {place},
-         [](const Inputs& x) {
-             const glm::dvec4 image = planar_projection({0, 1, 0, 0}, {0, 10, 0, 1}) * glm::dvec4(x[0], 1, 0, 1);
-             return image.x / image.w;
-         },
-         [](const Inputs& x) { return Real{x[0]} * 10 / 9; }},
-        {"volume_factor",
-         "whole numbers in [-1000, 1000]",
-         "0 or 1",
+        {"map_steps_perspective",
+         "n·l in [0.1, 1], distance in [1, 1000], 2 least offsets along the normal: the offset",
+         "[0, 4]",
          0,
-         1,
-         false,
-         0,
-         {place},
-         [](const Inputs& x) { return volume_factor(static_cast<std::int32_t>(x[0])); },
-         [](const Inputs& x) { return static_cast<int>(x[0]) > 0 ? Real{0} : Real{1}; }},
-    };
-}
-
-std::vector<Formula> formulas_of_slopes() {
-    const Axis cosine{-1.0f, 1.0f, Spread::even, {-1e-8f, 0.0f, 1e-8f, 0.01f}};
-    const Axis texel{1e-18f, 1e18f, Spread::logarithmic, {1.0f}};
-    return {
-        {"steepness_limit",
-         "cosine in [-1, 1]",
-         "[-1, 1] without (-0.01, 0.01)",
-         -1,
-         1,
-         false,
-         0,
-         {cosine},
-         [](const Inputs& x) { return steepness_limit(x[0]); },
-         [](const Inputs& x) { return limited(x[0]); }},
-        {"slope_parallel",
-         "length of n up to 1, texel in [1e-18, 1e18]: its u",
-         "[-1e20, 1e20]",
-         -1.0001e20,
-         1.0001e20,
+         4,
          true,
          3e-7,
-         {cosine, cosine, texel},
-         [](const Inputs& x) {
-             return slope_parallel({x[0], 0.0f, x[1]}, glm::vec2(x[2])).u;
+         {{0.1f, 1.0f, Spread::even, {}}, {1.0f, 1e3f, Spread::logarithmic, {}}},
+         [=](const Inputs& x) {
+             return map_steps_perspective({0.0f, 0.0f, -x[1]}, direction(x[0], 0.0f), kPicture, offset_bias).offset;
          },
-         [](const Inputs& x) { return x[0] / limited(x[1]) * x[2]; }},
-        {"least_normal_offset",
-         "length of n up to 1, texel in [1e-18, 1e18]",
-         "[0, 1e18]",
+         [](const Inputs& x) { return std::fabs(Real{direction(x[0], 0.0f).x}) * kPicture.texel.x * x[1]; }},
+        {"bias_terms",
+         "depth range in [0.001, 1e6], the bias by slope: its constant and its slope",
+         "[0, 1e6]",
          0,
-         1.0001e18,
+         1.1e6,
          true,
-         3e-7,
-         {cosine, cosine, texel},
+         2e-7,
+         {distance},
          [](const Inputs& x) {
-             return least_normal_offset({x[0], x[1], 0.0f}, glm::vec2(x[2]));
+             ShadowSettings settings;
+             settings.bias = ShadowBias::slope;
+             settings.constant_bias = 0.5f;
+             settings.slope_bias = 3.0f;
+             const BiasTerms bias = bias_terms(settings, x[0]);
+             return bias.constant + bias.slope + bias.normal_offset + bias.follow_plane;
          },
-         [](const Inputs& x) { return (std::fabs(Real{x[0]}) + std::fabs(Real{x[1]})) * x[2] / 2; }},
+         [](const Inputs& x) { return Real{x[0]} / 2 + 4; }},
+        formula_of({"point_in_picture",
+                    "a light at (1, 2, 3), its axes the world's: the point",
+                    "[0, 1.1e6]",
+                    1.1e6,
+                    false,
+                    0.2,
+                    {kHeight, kTurn, distance},
+                    [=](const Inputs& x) {
+                        return point_in_picture(glm::mat3(1.0f), {1.0f, 2.0f, 3.0f}, world_point(x), up).q;
+                    },
+                    [=](const Inputs& x) { return Wide(world_point(x)) - Wide(1, 2, 3); }}),
+        formula_of({"point_in_cube",
+                    "a light at (1, 2, 3), the point to its right: as seen by the face",
+                    "[0, 2.5e6]",
+                    2.5e6,
+                    false,
+                    0.2,
+                    {distance, place, place},
+                    [](const Inputs& x) {
+                        return point_in_cube({1.0f, 2.0f, 3.0f},
+                                             {1.0f + 2.0f * x[0], 2.0f + x[1] * x[0], 3.0f + x[2] * x[0]}, {0, 0, 1})
+                            .q;
+                    },
+                    [](const Inputs& x) { return Wide(Real{x[2] * x[0]}, Real{x[1] * x[0]}, -2 * Real{x[0]}); }}),
     };
 }
 
 }  // namespace
 
 std::vector<Formula> formulas_of_shadows() {
-    return joined(formulas_of_slopes(), joined(formulas_of_maps(), formulas_of_rays()));
+    return joined(joined(formulas_of_slopes(), formulas_of_maps()), joined(formulas_of_places(), formulas_of_rays()));
 }
 
 }  // namespace kreda::tests
