@@ -24,6 +24,15 @@ if(KREDA_SANITIZE)
   target_compile_definitions(kreda_flags INTERFACE KREDA_SANITIZED=1)
   target_link_options(kreda_flags INTERFACE -fsanitize=address,undefined)
 endif()
+if(KREDA_COVERAGE)
+  target_compile_options(kreda_flags INTERFACE --coverage -fprofile-abs-path -fprofile-update=atomic)
+  target_compile_definitions(kreda_flags INTERFACE KREDA_COVERAGE=1)
+  target_link_options(kreda_flags INTERFACE --coverage)
+endif()
+if(KREDA_FUZZ)  # what is executed is counted, so that the fuzzer sees new ways
+  # toml++ 3.3 says of letters between U+00A1 and U+0499 where a space may stand that they cannot come; they are refused all the same.
+  target_compile_options(kreda_flags INTERFACE -fsanitize=fuzzer-no-link -fno-sanitize=unreachable)
+endif()
 # Users of GLM see x, y, z in a debugger instead of three names for each component.
 target_compile_definitions(kreda_flags INTERFACE GLM_FORCE_XYZW_ONLY)
 target_include_directories(kreda_flags INTERFACE $<BUILD_INTERFACE:${PROJECT_SOURCE_DIR}> $<INSTALL_INTERFACE:include/kreda>)

@@ -1,6 +1,6 @@
 # The module kreda_images: what needs OpenImageIO, as a shared library that kreda_scene opens when it is needed. Loading
 # the 200 libraries that OpenImageIO brings takes longer than drawing most pictures.
-set(KREDA_IMAGE_SOURCES scene/files/image_file.cpp)  # these may include OpenImageIO; they are no part of kreda_scene
+set(KREDA_IMAGE_SOURCES scene/files/image_file.cpp scene/files/open_image.cpp)  # these may include OpenImageIO; they are no part of kreda_scene
 
 set(KREDA_IMAGE_HELPERS child_process file_content icc_profile image_color image_orientation quoted_text radiance_header webp_file)  # in both
 list(TRANSFORM KREDA_IMAGE_HELPERS REPLACE "(.+)" "scene/files/\\1.cpp")

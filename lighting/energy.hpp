@@ -61,12 +61,12 @@ inline float multiple_scattering_color(float F_avg, float E_avg) {
     return F_avg * F_avg * E_avg / (below > 1e-6f ? below : 1e-6f);
 }
 
-/// F_avg = 2 int_0^1 F(mu) mu dmu of Schlick's F   = R_0 + (1 - R_0) / 21
+/// F_avg = 2 int_0^1 F(mu) mu dmu of Schlick's F   = R_0 + (1 - R_0) / 21,   R_0 in [0, 1]
 inline float average_schlick(float f0) {
     return f0 + (1.0f - f0) * (1.0f / 21.0f);
 }
 
-/// The same of F82   = R_0 + (1 - R_0) / 21 - b / 126
+/// The same of F82   = R_0 + (1 - R_0) / 21 - b / 126,   b in [-20, 20]
 inline float average_f82(float f0, float b) {
     return average_schlick(f0) - b * (1.0f / 126.0f);
 }

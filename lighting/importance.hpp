@@ -38,7 +38,7 @@ inline glm::vec2 hammersley(int i, int n) {
     return {(static_cast<float>(i) + 0.5f) * step, second < 1.0f ? second : 0.99999994f};
 }
 
-/// The direction with this cosine to n, `turns` around it.
+/// The direction, unit, with this cosine in [-1, 1] to n, `turns` around it, |turns| < 2^20.
 inline glm::vec3 around_normal(float cosine, float turns) {
     const raster::SinCos phi = raster::sin_cos_of_turns(turns);
     const float sin2 = (1.0f - cosine) * (1.0f + cosine);
@@ -46,7 +46,7 @@ inline glm::vec3 around_normal(float cosine, float turns) {
     return {sine * phi.cos, sine * phi.sin, cosine};
 }
 
-/// A direction l with density  n.l / pi.
+/// A direction l with density  n.l / pi.   u in [0, 1)^2.
 inline glm::vec3 cosine_direction(const glm::vec2& u) {
     return around_normal(std::sqrt(1.0f - u.y), u.x);
 }

@@ -35,7 +35,7 @@ struct MicrofacetAngles {
     float sin2_h;   ///< 1 - (n.h)^2
 };
 
-/// sin^2 of the angle between unit vectors   sin^2 theta = d (1 - d/4),   d = |a - b|^2 = 4 sin^2(theta / 2)
+/// sin^2 in [0, 1] of the angle of unit vectors   sin^2 theta = d (1 - d/4),   d = |a - b|^2 = 4 sin^2(theta / 2)
 /// The difference of near floats is exact, so this has all its digits where 1 - (a.b)^2 has none.
 inline float squared_sine(const glm::vec3& a, const glm::vec3& b) {
     const glm::vec3 difference = a - b;
@@ -78,7 +78,7 @@ inline float ggx_distribution(float n_dot_h, float sin2_h, float alpha) {
     return alpha_by_q * alpha_by_q * raster::kInvPi;
 }
 
-/// The exponent of Beckmann's lobe and of Ward's   -tan^2 theta_h / alpha^2
+/// The exponent of Beckmann's lobe and of Ward's   -tan^2 theta_h / alpha^2, at most 0.   alpha in [0.002, 1]
 inline float beckmann_exponent(float n_dot_h, float sin2_h, float alpha) {
     const float c2 = n_dot_h * n_dot_h > 1e-12f ? n_dot_h * n_dot_h : 1e-12f;
     return -sin2_h / (c2 * (alpha * alpha));
@@ -155,13 +155,13 @@ inline float gaussian_distribution(float n_dot_h, float sin2_h, float alpha) {
 
 // -------------------------------------------------------------------------- V = G / (4 (n.l)(n.v))   [1]
 
-/// k of Schlick-GGX for lights that are points   k = (roughness + 1)^2 / 8              Karis 2013; thesis eq. (6)
+/// k of Schlick-GGX for lights that are points   k = (roughness + 1)^2 / 8, in [1/8, 1/2]   Karis 2013; thesis eq. (6)
 /// It darkens smooth surfaces: at roughness 0.1 it loses 18 % of the light where Smith's G loses 0.04 %.
 inline float schlick_k_direct(float roughness) {
     return (roughness + 1.0f) * (roughness + 1.0f) * 0.125f;
 }
 
-/// k of Schlick-GGX for light from an image   k = alpha / 2                                               Karis 2013
+/// k of Schlick-GGX for light from an image   k = alpha / 2, alpha in [0.002, 1]                          Karis 2013
 inline float schlick_k_image(float alpha) {
     return 0.5f * alpha;
 }
@@ -181,7 +181,7 @@ inline float schlick_ggx_visibility(float n_dot_l, float n_dot_v, float k) {
     return 0.25f / (below > 1e-12f ? below : 1e-12f);
 }
 
-/// sqrt(alpha^2 + (1 - alpha^2) c^2) = c sqrt(1 + alpha^2 tan^2): the root in Smith's G for GGX.
+/// sqrt(alpha^2 + (1 - alpha^2) c^2) = c sqrt(1 + alpha^2 tan^2): the root in Smith's G for GGX.  In [alpha, 1].
 inline float smith_root(float c, float alpha) {
     const float alpha2 = alpha * alpha;
     return std::sqrt((c - alpha2 * c) * c + alpha2);

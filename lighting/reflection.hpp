@@ -33,7 +33,7 @@ inline glm::vec3 ambient_term(const glm::vec3& s_A, const glm::vec3& m_A) {
     return s_A * m_A;
 }
 
-/// Mirror image of l in the normal   r = 2 (n.l) n - l.   Unit if n and l are. The same of v in a facet h.
+/// Mirror image of l in the normal   r = 2 (n.l) n - l.   Unit to 1e-6 if n and l are. The same of v in a facet h.
 inline glm::vec3 mirror_vector(const glm::vec3& n, const glm::vec3& l, float n_dot_l) {
     return 2.0f * n_dot_l * n - l;
 }
@@ -90,7 +90,7 @@ inline float highlight_of(float sigma, float n_dot_l, const PhongMaterial& m) {
 // phong() and blinn_phong() are the whole formulas at one point; they differ in Sigma. A large batch runs the same
 // small functions as passes, each leaving a channel: n.l; Sigma; the highlight; the terms.
 
-/// Phong's model of one light, mirror vector:   m_D (l.n),   m_S (v.r)^h
+/// Phong's model of one light, mirror vector:   m_D (l.n),   m_S (v.r)^h      n, l, v unit, h in [0, 1e9]
 inline ReflectedTerms phong(const glm::vec3& n, const glm::vec3& l, const glm::vec3& v, const PhongMaterial& m) {
     const float n_dot_l = glm::dot(n, l);
     const glm::vec3 r = mirror_vector(n, l, n_dot_l);
@@ -99,7 +99,7 @@ inline ReflectedTerms phong(const glm::vec3& n, const glm::vec3& l, const glm::v
     return phong_terms(n_dot_l, highlight, m);
 }
 
-/// Blinn-Phong model of one light, half vector:   m_D (l.n),   m_S (n.h)^h
+/// Blinn-Phong model of one light, half vector:   m_D (l.n),   m_S (n.h)^h      n, l, v unit, h in [0, 1e9]
 inline ReflectedTerms blinn_phong(const glm::vec3& n, const glm::vec3& l, const glm::vec3& v, const PhongMaterial& m) {
     const float n_dot_l = glm::dot(n, l);
     const glm::vec3 h = half_vector(l, v);

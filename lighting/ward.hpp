@@ -30,7 +30,7 @@ inline float ward_isotropic(const MicrofacetAngles& angles, float alpha) {
 
 /// Slopes of the half vector along t and b, each divided by its alpha, squared and summed: the anisotropic exponent
 ///   tan^2 theta_h (cos^2 phi_h / alpha_t^2 + sin^2 phi_h / alpha_b^2)
-///   = ((h.t / alpha_t)^2 + (h.b / alpha_b)^2) / (h.n)^2
+///   = ((h.t / alpha_t)^2 + (h.b / alpha_b)^2) / (h.n)^2       both alpha in [0.002, 1]
 inline float ward_exponent(const glm::vec3& h, const glm::vec3& n, const glm::vec3& t, const glm::vec3& b,
                            float alpha_t, float alpha_b) {
     const float slope_t = glm::dot(h, t) / alpha_t;
@@ -93,7 +93,7 @@ inline glm::vec3 tangent_of_grain(const glm::vec3& grain, const glm::vec3& n) {
     return {runs_within ? t.x : other.x, runs_within ? t.y : other.y, runs_within ? t.z : other.z};
 }
 
-/// sqrt(1 - x^2) for |x| <= 1
+/// sqrt(1 - x^2), in [0, 1], for |x| <= 1
 inline float sine_from_cosine(float x) {
     const float s2 = (1.0f - x) * (1.0f + x);
     return std::sqrt(s2 > 0.0f ? s2 : 0.0f);

@@ -29,7 +29,7 @@ struct FilmReport {
     std::uint64_t negative = 0;      ///< shown as 0
 };
 
-/// Reinhard's operator   L / (1 + L),  per channel; infinity gives 1.    Reinhard et al. 2002, eq. 3
+/// Reinhard's operator   L / (1 + L),  per channel, L >= 0; infinity gives 1.    Reinhard et al. 2002, eq. 3
 inline float reinhard(float radiance) {
     const float large = 1.0f - 1.0f / (1.0f + radiance);
     const float small = radiance / (1.0f + radiance);
@@ -42,14 +42,14 @@ inline float reinhard_extended(float radiance, float white) {
     return reinhard(safe) * (1.0f + safe / (white * white));
 }
 
-/// sRGB's encoding   12.92 x below 0.0031308,  1.055 x^(1/2.4) - 0.055 above.    IEC 61966-2-1:1999
+/// sRGB's encoding of [0, 1]   12.92 x below 0.0031308,  1.055 x^(1/2.4) - 0.055 above.    IEC 61966-2-1:1999
 inline float srgb_from_linear(float x) {
     const float toe = 12.92f * x;
     const float shoulder = 1.055f * pow(x > 0.0f ? x : 0.0f, 1.0f / 2.4f) - 0.055f;
     return x <= 0.0031308f ? toe : shoulder;
 }
 
-/// sRGB's decoding, the inverse of the above.    IEC 61966-2-1:1999
+/// sRGB's decoding of [0, 1], the inverse of the above.    IEC 61966-2-1:1999
 inline float linear_from_srgb(float x) {
     const float toe = x / 12.92f;
     const float shoulder = pow((x + 0.055f) / 1.055f > 0.0f ? (x + 0.055f) / 1.055f : 0.0f, 2.4f);

@@ -8,7 +8,7 @@ namespace kreda::shadows {
 
 /// Half the width of the cone of rays from a point at distance `receiver` to a light of the given half width, where it
 /// passes the distance `blocker`, as the light's picture shows it: in tangents, or in world units (parallel rays).
-/// By similar triangles; twice this, taken to the receiver, is the penumbra  w_light (d_r - d_b) / d_b.
+/// By similar triangles; twice this, taken to the receiver, is the penumbra  w_light (d_r - d_b) / d_b. Distances > 0.
 inline float half_cone(float light_half_width, float receiver, float blocker, bool perspective) {
     const float behind = receiver - blocker;
     const float spread = perspective ? behind / (receiver * blocker) : behind;

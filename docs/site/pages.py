@@ -17,6 +17,7 @@ GUIDES = {
                ("docs/brdf_plots.md", "Reflection models side by side"), ("docs/measure.md", "Speed against accuracy"),
                ("docs/performance.md", "Performance")],
     "To build on": [("docs/architecture.md", "The rooms of the house"), ("docs/extend.md", "Add a distribution"),
+                    ("docs/extremes.md", "What is done to break it"),
                     ("docs/install.md", "Install it, build on it"),
                     ("CONTRIBUTING.md", "How to change Kreda"), ("docs/joss.md", "For a journal's reviewer"),
                     ("docs/sources-of-data.md", "Where the data comes from"), ("CODE_OF_CONDUCT.md", "Code of conduct"),

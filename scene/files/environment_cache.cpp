@@ -11,6 +11,7 @@
 #include "scene/error.hpp"
 #include "scene/files/hash_of_bytes.hpp"
 #include "scene/files/map_file.hpp"
+#include "scene/files/trim_maps.hpp"
 #include "scene/files/whole_file.hpp"
 
 namespace kreda::scene {
@@ -100,6 +101,7 @@ public:
         if (baked.irradiance && maps.sh9) write(irradiance_key(baked.form), numbers_of(*maps.sh9));
         if (baked.irradiance && !maps.sh9) write(irradiance_key(baked.form), maps.irradiance.texels);
         for (const lighting::BrdfKind& kind : baked.brdf) write(brdf_key(kind), find_brdf(maps, kind)->texels);
+        trim_maps(folder_, kept_maps_limit());
     }
 
 private:
@@ -150,7 +152,9 @@ private:
     }
 
     [[nodiscard]] bool read(const Key& key, std::span<float> floats) const {
-        return read_map_file(path(key), full_text(key), floats);
+        const bool is_there = read_map_file(path(key), full_text(key), floats);
+        if (is_there) mark_as_used(path(key));
+        return is_there;
     }
 
     void write(const Key& key, std::span<const float> floats) const {

@@ -1,16 +1,14 @@
-// The only file that includes OpenImageIO: its headers take seconds to compile, and its libraries longer to load than
-// most pictures to draw. It is a module, which scene/files/image_module.cpp opens when it is needed.
+// With open_image.cpp the only file that includes OpenImageIO: its headers take seconds to compile, and its libraries
+// longer to load than most pictures to draw. They are a module, which scene/files/image_module.cpp opens when it is
+// needed.
 #include "scene/files/image_file.hpp"
 
 #include <algorithm>
 #include <cctype>
 #include <cmath>
 #include <cstdio>
-#include <filesystem>
-#include <fstream>
 #include <memory>
 #include <new>
-#include <sstream>
 #include <stdexcept>
 
 #include <OpenImageIO/filesystem.h>
@@ -18,20 +16,16 @@
 
 #include "scene/error.hpp"
 #include "scene/files/child_process.hpp"
-#include "scene/files/file_content.hpp"
 #include "scene/files/icc_profile.hpp"
 #include "scene/files/image_color.hpp"
 #include "scene/files/image_module.hpp"
 #include "scene/files/image_orientation.hpp"
+#include "scene/files/open_image.hpp"
 #include "scene/files/quoted_text.hpp"
-#include "scene/files/radiance_header.hpp"
-#include "scene/files/webp_file.hpp"
 
 namespace kreda::scene {
 
 namespace {
-
-namespace fs = std::filesystem;
 
 /// The bytes of the file.
 std::vector<unsigned char> encode(const std::string& path, const std::string& format, const OIIO::ImageSpec& spec,
@@ -106,103 +100,12 @@ private:
     std::FILE* nowhere_ = std::fopen("/dev/null", "w");
 };
 
-/// What the library says of its failure as one sentence: each of its first lines once, without the emptiest.
-std::string reason_of(const std::string& text, const std::string& otherwise) {
-    constexpr std::size_t kMostLines = 2;
-    std::vector<std::string> lines;
-    std::istringstream stream(text);
-    for (std::string line; std::getline(stream, line);) {
-        const auto holds_it = [&](const std::string& other) { return other.find(line) != std::string::npos; };
-        if (line.empty() || line == "PNG library error") continue;
-        if (std::none_of(lines.begin(), lines.end(), holds_it)) lines.push_back(line);
-        if (lines.size() == kMostLines) break;
-    }
-    std::string reason;
-    for (const std::string& line : lines) reason += (reason.empty() ? "" : "; ") + line;
-    return reason.empty() ? otherwise : reason;
-}
-
 /// The library's exceptions, on headers that make no sense, may name nothing but a function of the C++ library.
-std::string reason_of(const std::exception& damage) {
+std::string reason_of_exception(const std::exception& damage) {
     const bool is_internal =
         dynamic_cast<const std::logic_error*>(&damage) || dynamic_cast<const std::bad_alloc*>(&damage);
     const std::string nonsense = "its header promises what cannot be";
     return is_internal ? nonsense : reason_of(damage.what(), nonsense);
-}
-
-std::string first_bytes(const std::string& path, std::size_t most) {
-    std::ifstream file(path, std::ios::binary);
-    std::string bytes(most, '\0');
-    file.read(bytes.data(), static_cast<std::streamsize>(most));
-    bytes.resize(static_cast<std::size_t>(file.gcount()));
-    return bytes;
-}
-
-/// A file that OpenImageIO reads, or a copy of it in memory.
-struct OpenedImage {
-    std::string bytes;
-    std::unique_ptr<OIIO::Filesystem::IOMemReader> memory;
-    std::unique_ptr<OIIO::ImageInput> input;
-    int webp_orientation = 0;  ///< 0: not a WebP file
-    RadianceHeader radiance;   ///< orientation 0: not a Radiance file
-};
-
-/// `opened.bytes` as an image of that format.
-void open_bytes(const std::string& path, const std::string& format, OpenedImage& opened) {
-    opened.memory = std::make_unique<OIIO::Filesystem::IOMemReader>(opened.bytes.data(), opened.bytes.size());
-    opened.input = OIIO::ImageInput::create(format);
-    if (!opened.input)
-        throw UserError(Place{path}, "cannot be read as an image: OpenImageIO has no " + format + " here");
-    OIIO::ImageSpec spec, wish;
-    wish.attribute("oiio:UnassociatedAlpha", 1);  // otherwise PNG's colours come multiplied by alpha
-    if (opened.input->set_ioproxy(opened.memory.get()) && opened.input->open(path, spec, wish)) return;
-    throw UserError(Place{path}, "is damaged: " + reason_of(opened.input->geterror(), "its pixels cannot be decoded"));
-}
-
-void open_webp(const std::string& path, const std::string& bytes, OpenedImage& opened) {
-    opened.webp_orientation = webp_orientation(bytes);
-    opened.bytes = webp_without_alpha(bytes);
-    open_bytes(path, "webp", opened);
-}
-
-/// A file within another file: PNG, JPEG or WebP.
-OpenedImage open_input_in_memory(const std::string& name, const std::string& bytes) {
-    OpenedImage opened;
-    if (is_webp(bytes)) {
-        open_webp(name, bytes, opened);
-        return opened;
-    }
-    const bool is_png = bytes.starts_with("\x89PNG"), is_jpeg = bytes.starts_with("\xff\xd8\xff");
-    const std::string other = other_content(bytes);
-    if (!is_png && !is_jpeg) throw UserError(Place{name}, other.empty() ? "is neither a PNG nor a JPEG image" : other);
-    opened.bytes = bytes;
-    open_bytes(name, is_png ? "png" : "jpeg", opened);
-    return opened;
-}
-
-OpenedImage open_input(const std::string& path) {
-    constexpr std::size_t kMostHeader = 1 << 16;
-    const std::string start = first_bytes(path, kMostHeader);
-    OpenedImage opened;
-    if (is_webp(start)) {
-        open_webp(path, first_bytes(path, static_cast<std::size_t>(fs::file_size(path))), opened);
-        return opened;
-    }
-    OIIO::ImageSpec wish;
-    wish.attribute("oiio:UnassociatedAlpha", 1);  // otherwise PNG's colours come multiplied by alpha
-    opened.input = OIIO::ImageInput::open(path, &wish);
-    const std::string other = opened.input ? "" : other_content(start);
-    if (!other.empty()) throw UserError(Place{path}, other);
-    if (start.starts_with("#?")) opened.radiance = read_radiance_header(start);
-    if (opened.radiance.is_xyz) {
-        throw UserError(Place{path},
-                        "holds XYZ colours (FORMAT=32-bit_rle_xyze); RGB is needed: ra_xyze -r converts it");
-    }
-    const std::string unknown = "it is of no format that OpenImageIO knows";
-    if (!opened.input) {
-        throw UserError(Place{path}, "cannot be read as an image: " + reason_of(OIIO::geterror(), unknown));
-    }
-    return opened;
 }
 
 /// 8 or 16; 0 where a channel is no short integer.
@@ -355,18 +258,18 @@ StoredImage read_quietly(const std::string& path, const ImageReadOptions& option
     } catch (const UserError&) {
         throw;
     } catch (const std::exception& damage) {  // the library's own, on headers that make no sense
-        throw UserError(Place{path}, "is damaged: " + reason_of(damage));
+        throw UserError(Place{path}, "is damaged: " + reason_of_exception(damage));
     }
 }
 
 }  // namespace
 
 StoredImage read_stored_image(const std::string& path, const ImageReadOptions& options) {
-    return read_quietly(path, options, [&] { return open_input(path); });
+    return read_quietly(path, options, [&] { return open_image(path); });
 }
 
 StoredImage read_stored_bytes(const std::string& name, const std::string& bytes, const ImageReadOptions& options) {
-    return read_quietly(name, options, [&] { return open_input_in_memory(name, bytes); });
+    return read_quietly(name, options, [&] { return open_image_in_memory(name, bytes); });
 }
 
 std::vector<unsigned char> encode_exr(const std::string& path, const InterleavedImage& image) {

@@ -173,6 +173,7 @@ std::string table_written_twice(std::string_view line) {
     const std::size_t open = line.find_first_not_of(" \t");
     if (open == std::string_view::npos || line[open] != '[') return "";
     const std::size_t begin = line.find_first_not_of("[ \t", open);
+    if (begin == std::string_view::npos) return "";
     const std::string name(line.substr(begin, line.find_first_of("] \t#", begin) - begin));
     const std::vector<std::string> known = table_names();
     if (std::find(known.begin(), known.end(), name) == known.end()) return "";

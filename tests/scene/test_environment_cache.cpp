@@ -1,5 +1,6 @@
 // Maps that are kept on disk: the same as those baked anew, to the last bit, whatever happened to the files.
 #include <algorithm>
+#include <chrono>
 #include <filesystem>
 #include <string>
 #include <vector>
@@ -10,6 +11,7 @@
 #include "scene/files/environment_cache.hpp"
 #include "scene/files/map_file.hpp"
 #include "scene/files/read_scene.hpp"
+#include "scene/files/trim_maps.hpp"
 #include "scene/plan/environment_plan.hpp"
 #include "scene/render/render.hpp"
 #include "tests/scene/temp_folder.hpp"
@@ -186,6 +188,33 @@ TEST_CASE("environment cache: a folder with work of its own is not hidden from g
     CHECK(cached(ball(), folder.path.string()).report.why_not_kept.empty());
     CHECK_FALSE(std::filesystem::exists(folder.path / ".gitignore"));
     CHECK_FALSE(std::filesystem::exists(folder.path / "CACHEDIR.TAG"));
+}
+
+TEST_CASE("environment cache: the maps that were used longest ago are removed and nothing else") {
+    namespace fs = std::filesystem;
+    const TempFolder folder;
+    const auto write_old = [&](const std::string& name, int hours) {
+        folder.write(name, std::string(1000, 'x'));
+        fs::last_write_time(folder.file(name), fs::file_time_type::clock::now() - std::chrono::hours(hours));
+    };
+    write_old("brdf-1.map", 50);
+    write_old("brdf-2.map", 40);
+    write_old("sh9-3.map", 30);
+    write_old("sh9-4.map", 0);
+    write_old(".sh9-5.map.123.tmp", 20);
+    write_old("notes.txt", 90);
+    const auto left = [&] {
+        std::vector<std::string> names;
+        for (const auto& entry : fs::directory_iterator(folder.path)) names.push_back(entry.path().filename().string());
+        std::sort(names.begin(), names.end());
+        return names;
+    };
+    trim_maps(folder.path.string(), 2000);
+    CHECK(left() == std::vector<std::string>{"notes.txt", "sh9-3.map", "sh9-4.map"});
+    trim_maps(folder.path.string(), 0);  // the last hour's stays
+    CHECK(left() == std::vector<std::string>{"notes.txt", "sh9-4.map"});
+    mark_as_used(folder.file("notes.txt"));
+    CHECK(fs::last_write_time(folder.file("notes.txt")) > fs::file_time_type::clock::now() - std::chrono::minutes(1));
 }
 
 TEST_CASE("map file: floats come back for their key alone") {

@@ -50,10 +50,11 @@ void try_inputs(const Formula& formula, const Inputs& inputs, SweepResult& resul
         ++result.outside;
         return;
     }
-    const long double exact = formula.exact(inputs);
+    const Real exact = formula.exact(inputs);
     const double scale = formula.is_relative ? static_cast<double>(std::fabs(exact)) : 1.0;
     if (formula.is_relative && scale < formula.least) return;
-    const double error = static_cast<double>(std::fabs(value - exact)) / scale;
+    const double distance = formula.distance ? formula.distance(inputs) : static_cast<double>(std::fabs(value - exact));
+    const double error = distance / scale;
     if (error > result.error) {
         result.error = error;
         result.where = inputs;
@@ -87,6 +88,22 @@ std::string list_of(const Inputs& inputs) {
 }
 
 }  // namespace
+
+Formula formula_of(const VectorFormula& vector) {
+    Formula formula{vector.name,        vector.domain,     vector.range, 0.0, vector.longest,
+                    vector.is_relative, vector.most_error, vector.axes,  {},  {}};
+    const auto value = vector.value;
+    const auto exact = vector.exact;
+    formula.value = [value](const Inputs& x) { return static_cast<double>(glm::length(Wide(value(x)))); };
+    formula.exact = [exact](const Inputs& x) { return glm::length(exact(x)); };
+    formula.distance = [=](const Inputs& x) { return static_cast<double>(glm::length(Wide(value(x)) - exact(x))); };
+    return formula;
+}
+
+std::vector<Formula> joined(std::vector<Formula> first, const std::vector<Formula>& second) {
+    first.insert(first.end(), second.begin(), second.end());
+    return first;
+}
 
 SweepResult sweep(const Formula& formula, int random_inputs) {
     SweepResult result;

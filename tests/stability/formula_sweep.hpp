@@ -1,10 +1,14 @@
 // A formula tried at the edges of its domain and at random inputs within it, beside the same equation in long double.
 #pragma once
 
+#include <cmath>
 #include <cstdint>
 #include <functional>
 #include <string>
 #include <vector>
+
+#include <glm/geometric.hpp>
+#include <glm/vec3.hpp>
 
 namespace kreda::tests {
 
@@ -25,6 +29,22 @@ inline constexpr Real kPi = 3.14159265358979323846264L;
 inline const Axis kCosine{0.0f, 1.0f, Spread::even, {1e-8f, 1e-4f, 0.5f}};
 inline const Axis kRoughness{0.0f, 1.0f, Spread::even, {1e-8f, 0.045f, 0.5f}};
 
+/// A vector in long double.
+using Wide = glm::vec<3, Real>;
+
+/// A unit vector as floats have it: by height and turn.
+[[nodiscard]] inline glm::vec3 direction(float height, float turn) {
+    const Real sine = std::sqrt((1 - Real{height}) * (1 + Real{height})), phi = 2 * kPi * turn;
+    return {static_cast<float>(sine * std::cos(phi)), static_cast<float>(sine * std::sin(phi)), height};
+}
+
+inline const Axis kHeight{-1.0f, 1.0f, Spread::even, {0.0f, 1e-8f, 1e-4f, 0.999999f}};
+inline const Axis kTurn{0.0f, 1.0f, Spread::even, {0.5f}};
+/// Where a formula takes several directions: the ends alone, for there is no end to their combinations.
+inline const Axis kAnyHeight{-1.0f, 1.0f, Spread::even, {}};
+inline const Axis kUpperHeight{0.0f, 1.0f, Spread::even, {}};
+inline const Axis kAnyTurn{0.0f, 1.0f, Spread::even, {}};
+
 struct Formula {
     std::string name;
     std::string domain;  ///< as the declaration has it
@@ -33,10 +53,28 @@ struct Formula {
     bool is_relative = false;            ///< the error is divided by the exact value, where that is at least `least`
     double most_error = 0.0;             ///< what the table may show
     std::vector<Axis> axes;
-    std::function<float(const Inputs&)> value;
-    std::function<long double(const Inputs&)> exact;
-    double least = 1e-37;  ///< what is smaller is as good as 0: subnormal numbers are
+    std::function<double(const Inputs&)> value;
+    std::function<Real(const Inputs&)> exact;
+    double least = 1e-37;                                ///< what is smaller is as good as 0: subnormal numbers are
+    std::function<double(const Inputs&)> distance = {};  ///< where it is no number: between what it gives and the exact
 };
+
+/// A formula that gives a vector: its length lies in the range, and the error is its distance from the exact one.
+struct VectorFormula {
+    std::string name;
+    std::string domain;
+    std::string range;  ///< of the length
+    double longest = 1.0;
+    bool is_relative = false;
+    double most_error = 0.0;
+    std::vector<Axis> axes;
+    std::function<glm::vec3(const Inputs&)> value;
+    std::function<Wide(const Inputs&)> exact;
+};
+[[nodiscard]] Formula formula_of(const VectorFormula& vector);
+
+/// Both lists, one behind the other.
+[[nodiscard]] std::vector<Formula> joined(std::vector<Formula> first, const std::vector<Formula>& second);
 
 /// What was found.
 struct SweepResult {
@@ -61,5 +99,10 @@ struct SweepResult {
 [[nodiscard]] std::vector<Formula> formulas_of_reflection();
 [[nodiscard]] std::vector<Formula> formulas_of_raster();
 [[nodiscard]] std::vector<Formula> formulas_of_shadows();
+[[nodiscard]] std::vector<Formula> formulas_of_rays();
+[[nodiscard]] std::vector<Formula> formulas_of_models();
+[[nodiscard]] std::vector<Formula> formulas_of_directions();
+[[nodiscard]] std::vector<Formula> formulas_of_depth();
+[[nodiscard]] std::vector<Formula> formulas_of_textures();
 
 }  // namespace kreda::tests

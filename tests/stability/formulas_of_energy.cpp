@@ -69,6 +69,16 @@ std::vector<Formula> formulas_of_energy() {
          {share},
          [](const Inputs& x) { return average_schlick(x[0]); },
          [](const Inputs& x) { return x[0] + (1 - Real{x[0]}) / 21; }},
+        {"average_f82",
+         "R_0 in [0, 1], b in [-20, 20]",
+         "[-0.12, 1.16]",
+         -0.12,
+         1.16,
+         false,
+         2e-7,
+         {share, {-20.0f, 20.0f, Spread::even, {0.0f}}},
+         [](const Inputs& x) { return average_f82(x[0], x[1]); },
+         [](const Inputs& x) { return x[0] + (1 - Real{x[0]}) / 21 - Real{x[1]} / 126; }},
     };
 }
 

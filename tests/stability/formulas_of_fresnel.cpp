@@ -1,7 +1,9 @@
 // The equations of lighting/fresnel.hpp as the papers print them, in long double.
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <complex>
+#include <utility>
 
 #include "lighting/fresnel.hpp"
 #include "tests/stability/formula_sweep.hpp"
@@ -227,11 +229,120 @@ std::vector<Formula> corrected_formulas() {
     };
 }
 
+/// What F is made of, and what makes it cheaper.
+std::vector<Formula> parts_of_fresnel() {
+    const Axis dense{1.0f, 1000.0f, Spread::logarithmic, {1.5f}};
+    const Axis metal{0.1f, 10.0f, Spread::logarithmic, {1.0f}};
+    using Complex = std::complex<Real>;
+    const auto share_s = [](Real c, Complex m) {
+        const Complex root = std::sqrt((m - Real{1}) * (m + Real{1}) + Complex(c * c));
+        return std::abs(c + root) == 0 ? Real{0} : std::norm((c - root) / (c + root));
+    };
+    const auto exact_polarized = [=](Real c, Real n, Real k) {
+        const Real both = exact_fresnel(c, n, k), s = share_s(c, Complex(n, k));
+        return std::pair(s, 2 * both - s);
+    };
+    static const auto eighths = [] {
+        std::array<float, 9> squares{};
+        for (std::size_t i = 0; i < squares.size(); ++i) squares[i] = static_cast<float>(i * i) / 64.0f;
+        return squares;
+    }();
+    return {
+        {"fresnel_dielectric_polarized",
+         "c in [0, 1], n in [1, 1000]: s",
+         "[0, 1.0000004]",
+         0,
+         1.0000004,
+         false,
+         1e-6,
+         {kCosine, dense},
+         [](const Inputs& x) { return fresnel_dielectric_polarized(x[0], x[1]).s; },
+         [=](const Inputs& x) { return exact_polarized(x[0], x[1], 0).first; }},
+        {"fresnel_dielectric_polarized",
+         "c in [0, 1], n in [1, 1000]: p",
+         "[0, 1.0000004]",
+         0,
+         1.0000004,
+         false,
+         1e-6,
+         {kCosine, dense},
+         [](const Inputs& x) { return fresnel_dielectric_polarized(x[0], x[1]).p; },
+         [=](const Inputs& x) { return exact_polarized(x[0], x[1], 0).second; }},
+        {"fresnel_conductor_polarized",
+         "c in [0, 1], n, k in [0.1, 10]: p",
+         "[0, 1.0000004]",
+         0,
+         1.0000004,
+         false,
+         1e-6,
+         {kCosine, metal, metal},
+         [](const Inputs& x) { return fresnel_conductor_polarized(x[0], x[1], x[2]).p; },
+         [=](const Inputs& x) { return exact_polarized(x[0], x[1], x[2]).second; }},
+        {"unpolarized",
+         "s, p in [0, 1]",
+         "[0, 1]",
+         0,
+         1,
+         false,
+         1e-7,
+         {kF0, kF0},
+         [](const Inputs& x) {
+             return unpolarized({x[0], x[1]});
+         },
+         [](const Inputs& x) { return (Real{x[0]} + x[1]) / 2; }},
+        formula_of({"fresnel_schlick",
+                    "c, R_0 in [0, 1]: three channels",
+                    "[0, 1.7321]",
+                    1.7321,
+                    false,
+                    4e-7,
+                    {kCosine, kF0},
+                    [](const Inputs& x) { return fresnel_schlick(x[0], glm::vec3(x[1], 0.04f, 1.0f)); },
+                    [](const Inputs& x) { return Wide(f14(x[0], x[1]), f14(x[0], 0.04f), 1); }}),
+        {"relative_index",
+         "both in [0.03, 30]",
+         "[0.001, 1000]",
+         0.00099,
+         1001,
+         true,
+         1e-7,
+         {{0.03f, 30.0f, Spread::logarithmic, {1.0f}}, {0.03f, 30.0f, Spread::logarithmic, {1.0f}}},
+         [](const Inputs& x) { return relative_index(x[0], x[1]); },
+         [](const Inputs& x) { return Real{x[1]} / x[0]; }},
+        {"fresnel_lookup",
+         "c in [0, 1], nine values c²",
+         "[0, 1]",
+         0,
+         1,
+         false,
+         3e-7,
+         {kCosine},
+         [](const Inputs& x) { return fresnel_lookup(x[0], eighths.data(), 9); },
+         [](const Inputs& x) {
+             const Real at = 8 * Real{x[0]}, i = std::min(std::floor(at), Real{7}), t = at - i;
+             return ((1 - t) * i * i + t * (i + 1) * (i + 1)) / 64;
+         }},
+        {"f82_coefficient_from_index",
+         "n, k in [0.1, 10]",
+         "[-18, 18]",
+         -18,
+         18,
+         false,
+         1e-5,
+         {metal, metal},
+         [](const Inputs& x) { return f82_coefficient_from_index(glm::vec3(x[0]), glm::vec3(x[1])).x; },
+         [](const Inputs& x) {
+             const Real c = Real{1} / 7, F = exact_fresnel(c, x[0], x[1]);
+             return (f14(c, exact_fresnel(1, x[0], x[1])) - F) * 7 * std::pow(Real{7} / 6, Real{6});
+         }},
+    };
+}
+
 }  // namespace
 
 std::vector<Formula> formulas_of_fresnel() {
     std::vector<Formula> all = exact_formulas();
-    for (const std::vector<Formula>& more : {schlick_formulas(), corrected_formulas()}) {
+    for (const std::vector<Formula>& more : {schlick_formulas(), corrected_formulas(), parts_of_fresnel()}) {
         all.insert(all.end(), more.begin(), more.end());
     }
     return all;

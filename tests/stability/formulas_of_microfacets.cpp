@@ -37,6 +37,24 @@ Real root_of(Real c, Real alpha) {
     return std::sqrt(alpha * alpha + (1 - alpha * alpha) * c * c);
 }
 
+/// The Gaussian's integral over the hemisphere in u = theta / m, up to where exp(-u²) is nothing: five points of Gauss
+/// and Legendre in each of twelve parts.
+Real exact_normalizer(Real m) {
+    constexpr Real kNodes[] = {-0.9061798459386640L, -0.5384693101056831L, 0, 0.5384693101056831L, 0.9061798459386640L};
+    constexpr Real kWeights[] = {0.2369268850561891L, 0.4786286704993665L, 0.5688888888888889L, 0.4786286704993665L,
+                                 0.2369268850561891L};
+    constexpr int kParts = 12;
+    const Real half = std::min(kPi / 2 / m, Real{7}) / kParts / 2;
+    Real sum = 0;
+    for (int part = 0; part < kParts; ++part) {
+        for (int i = 0; i < 5; ++i) {
+            const Real u = half * (2 * part + 1 + kNodes[i]);
+            sum += kWeights[i] * std::exp(-u * u) * std::sin(2 * u * m) / 2;
+        }
+    }
+    return 2 * kPi * m * sum * half;
+}
+
 std::vector<Formula> distributions() {
     const std::string domain = "theta_h in [0, 90°), alpha in [0.002, 1]";
     return {
@@ -103,7 +121,7 @@ std::vector<Formula> distributions() {
          -26,
          0,
          true,
-         1e-6,
+         2.5e-7,
          {kAngle},
          [](const Inputs& x) {
              const Half h = half_of(x[0]);
@@ -196,6 +214,97 @@ std::vector<Formula> geometries() {
     };
 }
 
+/// What the formulas above are made of.
+std::vector<Formula> parts_of_facets() {
+    const auto exponent = [](const Inputs& x) {
+        const Half h = half_of(x[0]);
+        return -h.s2 / (Real{h.c} * h.c * x[1] * x[1]);
+    };
+    return {
+        {"beckmann_exponent",
+         "theta_h in [0, 90°), alpha in [0.002, 1]",
+         "[-2.5e17, 0]",
+         -2.5e17,
+         0,
+         true,
+         5e-7,
+         {kAngle, kAlpha},
+         [](const Inputs& x) { return beckmann_exponent(half_of(x[0]).c, half_of(x[0]).s2, x[1]); },
+         exponent},
+        {"gaussian_normalizer",
+         "m in [0.002, 1]",
+         "[1.2e-5, 1.8]",
+         1.2e-5,
+         1.8,
+         true,
+         4e-6,
+         {kAlpha},
+         [](const Inputs& x) { return gaussian_normalizer(x[0]); },
+         [](const Inputs& x) { return exact_normalizer(x[0]); }},
+        {"gaussian_distribution",
+         "theta_h in [0, 90°), alpha in [0.002, 1]",
+         "[0, 8e4]",
+         0,
+         8e4,
+         true,
+         1e-4,
+         {kAngle, kAlpha},
+         [](const Inputs& x) { return gaussian_distribution(half_of(x[0]).c, half_of(x[0]).s2, x[1]); },
+         [](const Inputs& x) {
+             const Real angle = std::atan2(std::sqrt(Real{half_of(x[0]).s2}), Real{half_of(x[0]).c});
+             return std::exp(-angle * angle / (Real{x[1]} * x[1])) / exact_normalizer(x[1]);
+         },
+         1e-30},
+        {"ward_bounded",
+         "theta_h in [0, 90°), v·h in [0, 1], alpha in [0.002, 1]",
+         "[0, 2e16]",
+         0,
+         2e16,
+         true,
+         1e-4,
+         {kAngle, kCosine, kAlpha},
+         [](const Inputs& x) {
+             const Half h = half_of(x[0]);
+             return ward_bounded({0.5f, 0.5f, h.c, x[1], h.s2}, x[2]);
+         },
+         [](const Inputs& x) {
+             const Half h = half_of(x[0]);
+             return beckmann(h.c, h.s2, x[2]) / (4 * std::max(Real{x[1]} * x[1], Real(1e-12f)));
+         },
+         1e-20},
+        {"schlick_k_direct",
+         "roughness in [0, 1]",
+         "[1/8, 1/2]",
+         0.125,
+         0.5,
+         true,
+         2e-7,
+         {kRoughness},
+         [](const Inputs& x) { return schlick_k_direct(x[0]); },
+         [](const Inputs& x) { return (Real{x[0]} + 1) * (Real{x[0]} + 1) / 8; }},
+        {"schlick_k_image",
+         "alpha in [0.002, 1]",
+         "[0.001, 1/2]",
+         0.001,
+         0.5,
+         true,
+         0,
+         {kAlpha},
+         [](const Inputs& x) { return schlick_k_image(x[0]); },
+         [](const Inputs& x) { return Real{x[0]} / 2; }},
+        {"smith_root",
+         "c in [0, 1], alpha in [0.002, 1]",
+         "[0.002, 1]",
+         0.002,
+         1.0000002,
+         true,
+         2e-7,
+         {kCosine, kAlpha},
+         [](const Inputs& x) { return smith_root(x[0], x[1]); },
+         [](const Inputs& x) { return root_of(x[0], x[1]); }},
+    };
+}
+
 std::vector<Formula> ward_formulas() {
     const Axis alpha{0.002f, 1.0f, Spread::logarithmic, {0.01f, 0.25f}};
     const Axis exponent{0.0f, 1e9f, Spread::even, {1.0f, 2.0f, 1e3f, 1e6f}};
@@ -247,7 +356,7 @@ std::vector<Formula> ward_formulas() {
 
 std::vector<Formula> formulas_of_microfacets() {
     std::vector<Formula> all = distributions();
-    for (const std::vector<Formula>& more : {geometries(), ward_formulas()}) {
+    for (const std::vector<Formula>& more : {geometries(), parts_of_facets(), ward_formulas()}) {
         all.insert(all.end(), more.begin(), more.end());
     }
     return all;

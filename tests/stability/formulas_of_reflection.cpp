@@ -12,18 +12,9 @@ namespace {
 
 using namespace kreda::lighting;
 
-/// A unit vector as floats have it: by height and turn.
-glm::vec3 direction(float height, float turn) {
-    const Real sine = std::sqrt((1 - Real{height}) * (1 + Real{height})), phi = turn * 6.28318530717958647693L;
-    return {static_cast<float>(sine * std::cos(phi)), static_cast<float>(sine * std::sin(phi)), height};
-}
-
 Real dot(const glm::vec3& a, const glm::vec3& b) {
     return Real{a.x} * b.x + Real{a.y} * b.y + Real{a.z} * b.z;
 }
-
-const Axis kHeight{-1.0f, 1.0f, Spread::even, {0.0f, 1e-8f, 1e-4f, 0.999999f}};
-const Axis kTurn{0.0f, 1.0f, Spread::even, {0.5f}};
 
 }  // namespace
 

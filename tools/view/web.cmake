@@ -31,7 +31,7 @@ kreda_room(shadows PUBLIC kreda_raster)
 kreda_room(scene PUBLIC kreda_lighting kreda_shadows)
 get_target_property(scene_sources kreda_scene SOURCES)
 list(FILTER scene_sources EXCLUDE REGEX
-  "/(image_file|image_module|image_message|child_process|png_bytes|deflate_strips|write_image|webp_file|environment_cache|whole_file)\\.cpp$")
+  "/(image_file|open_image|image_module|image_message|child_process|png_bytes|deflate_strips|write_image|webp_file|environment_cache|whole_file)\\.cpp$")
 list(FILTER scene_sources EXCLUDE REGEX "/gltf_(accessor|file|lights|material|model|nodes|primitive)\\.cpp$")
 # Reading takes no time worth its bytes: what is no pass is compiled for size.
 set(file_sources ${scene_sources})

@@ -1,0 +1,71 @@
+#include "scene/files/trim_maps.hpp"
+
+#include <algorithm>
+#include <chrono>
+#include <cstdlib>
+#include <filesystem>
+#include <vector>
+
+#include "scene/error.hpp"
+
+namespace kreda::scene {
+
+namespace {
+
+namespace fs = std::filesystem;
+
+struct KeptMap {
+    fs::path path;
+    fs::file_time_type used;
+    std::uintmax_t bytes = 0;
+    bool is_unfinished = false;  ///< left by a writer that was killed
+};
+
+std::vector<KeptMap> kept_maps(const std::string& folder) {
+    std::vector<KeptMap> maps;
+    std::error_code failed;
+    for (fs::directory_iterator i(folder, failed), end; !failed && i != end; i.increment(failed)) {
+        const std::string name = i->path().filename().string();
+        const bool is_unfinished =
+            name.starts_with(".") && name.ends_with(".tmp") && name.find(".map.") != std::string::npos;
+        if (!name.ends_with(".map") && !is_unfinished) continue;
+        std::error_code gone;  // another process may remove it meanwhile
+        const KeptMap map{i->path(), i->last_write_time(gone), i->file_size(gone), is_unfinished};
+        if (!gone) maps.push_back(map);
+    }
+    return maps;
+}
+
+}  // namespace
+
+std::uintmax_t kept_maps_limit() {
+    const char* const wish = std::getenv("KREDA_CACHE_MB");
+    if (!wish) return std::uintmax_t{1024} << 20;
+    const std::string text = wish;
+    const bool is_number = !text.empty() && text.size() < 8 &&
+                           std::all_of(text.begin(), text.end(), [](char c) { return c >= '0' && c <= '9'; });
+    if (!is_number) throw UserError("KREDA_CACHE_MB=" + text + ": expected a whole number of megabytes");
+    return std::uintmax_t{std::stoul(text)} << 20;
+}
+
+void mark_as_used(const std::string& map_file) {
+    std::error_code read_only;
+    fs::last_write_time(map_file, fs::file_time_type::clock::now(), read_only);
+}
+
+void trim_maps(const std::string& folder, std::uintmax_t limit) {
+    std::vector<KeptMap> maps = kept_maps(folder);
+    std::sort(maps.begin(), maps.end(), [](const KeptMap& a, const KeptMap& b) {
+        return a.is_unfinished != b.is_unfinished ? a.is_unfinished : a.used < b.used;
+    });
+    std::uintmax_t sum = 0;
+    for (const KeptMap& map : maps) sum += map.bytes;
+    const fs::file_time_type just_now = fs::file_time_type::clock::now() - std::chrono::hours(1);
+    for (const KeptMap& map : maps) {
+        const bool is_wanted = map.used > just_now || (sum <= limit && !map.is_unfinished);
+        std::error_code failed;
+        if (!is_wanted && fs::remove(map.path, failed)) sum -= map.bytes;
+    }
+}
+
+}  // namespace kreda::scene
