@@ -16,7 +16,7 @@ inline constexpr int kLargestShadingRate = 8;
 /// For every sample of a tile: the sample, row * kTileSide + column, that is lit in its place; itself where nothing is
 /// seen.
 struct ShadingPoints {
-    std::uint16_t of[kTileSide * kTileSide];
+    std::uint16_t of[kTileSide * kTileSide];  ///< by the sample's own number
 };
 
 /// The points of a tile, cut into blocks of rate x rate samples from its upper left corner: in each block, for each

@@ -72,8 +72,12 @@ TEST_CASE("debug pixel: cutting a sample out of its run leaves every sample and 
         for (int y = 0; y < 3; ++y) {
             for (int x = static_cast<int>(random() % 3); x < raster::kTileSide - 8;) {
                 const int length = 1 + static_cast<int>(random() % 6);
-                runs[count++] = {static_cast<std::uint16_t>(x), static_cast<std::uint16_t>(y),
-                                 static_cast<std::uint16_t>(length), 1, 0, static_cast<std::uint32_t>(count)};
+                runs[count++] = {static_cast<std::uint16_t>(x),
+                                 static_cast<std::uint16_t>(y),
+                                 static_cast<std::uint16_t>(length),
+                                 1,
+                                 0,
+                                 static_cast<std::uint32_t>(count)};
                 x += length + static_cast<int>(random() % 2);
             }
         }
