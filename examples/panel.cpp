@@ -101,10 +101,20 @@ std::vector<Panel> as_drawings(std::vector<Panel> panels) {
     return panels;
 }
 
-Panel empty_panel(glm::ivec2 size) {
+Panel drawing_panel(glm::ivec2 size) {
     Panel panel(make_board(size.x, size.y));
-    panel.is_computed = false;
     panel.is_drawing = true;
+    return panel;
+}
+
+void paste_picture(const Image& picture, glm::ivec2 corner, Panel& drawing) {
+    paste(drawing.image, picture, corner.x, corner.y);
+    drawing.pictures.push_back({corner.x, corner.y, picture.width, picture.height});
+}
+
+Panel empty_panel(glm::ivec2 size) {
+    Panel panel = drawing_panel(size);
+    panel.is_computed = false;
     return panel;
 }
 

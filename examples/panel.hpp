@@ -42,6 +42,12 @@ struct Panel {
 /// The same, each a drawing.
 [[nodiscard]] std::vector<Panel> as_drawings(std::vector<Panel> panels);
 
+/// An empty board to draw on.
+[[nodiscard]] Panel drawing_panel(glm::ivec2 size);
+
+/// Put a picture, which no theme changes, on a drawing; `corner` is its upper left one.
+void paste_picture(const Image& picture, glm::ivec2 corner, Panel& drawing);
+
 /// A place that stays empty: a drawing.
 [[nodiscard]] Panel empty_panel(glm::ivec2 size);
 

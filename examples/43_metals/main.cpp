@@ -46,8 +46,7 @@ scene::Scene metals(glm::ivec2 size, SpectrumUse spectrum) {
 
 /// F0 of each metal as a flat colour: the left half from the whole spectrum, the right half from three wavelengths.
 Panel swatches(glm::ivec2 size, int picture_height) {
-    Panel panel(make_board(size.x, size.y));
-    panel.is_drawing = true;
+    Panel panel = drawing_panel(size);
     const int scale = text_scale(picture_height), step = size.x / 5, top = 14 * scale;
     for (int i = 0; i < 5; ++i) {
         const lighting::MeasuredMaterial& metal = *lighting::find_measured(kMetals[static_cast<std::size_t>(i)]);

@@ -86,24 +86,12 @@ scene::Scene crowded_scene(glm::ivec2 size) {
     return scene;
 }
 
-Panel drawing(const Options& options) {
-    Panel panel(make_board(options.width, options.height));
-    panel.is_drawing = true;
-    return panel;
-}
-
-/// A picture at the upper edge of a drawing; no theme changes it.
-void paste_picture(const Image& picture, int x, Panel& panel) {
-    paste(panel.image, picture, x, 0);
-    panel.pictures.push_back({x, 0, picture.width, picture.height});
-}
-
 /// The same picture by the plan that leaves nothing out and by the one that does, and what they take.
 void draw_pruned(const Options& options) {
     const int scale = text_scale(options.height), half = options.width / 2, bottom = 44 * scale;
     const float type = caption_size(options.height);
     const scene::Scene scene = crowded_scene({half - 4, options.height - bottom});
-    Panel panel = drawing(options);
+    Panel panel = drawing_panel({options.width, options.height});
     for (const bool prune : {false, true}) {
         const scene::RenderPlan plan = make_plan_for(scene, scene::PlanRequest{.prune = prune});
         scene::RenderBuffers buffers;
@@ -114,7 +102,7 @@ void draw_pruned(const Options& options) {
         std::snprintf(line[1], 64, "%.1f million operations", 1e-6 * total_operations(plan));
         std::snprintf(line[2], 64, "%.1f MB", 1e-6 * double(total_bytes(plan)));
         for (int i = 0; i < 3; ++i) panel.labels.push_back({{x + 4, y + 12 * i * scale}, line[i], kChalk, type});
-        paste_picture(buffers.film, x, panel);
+        paste_picture(buffers.film, {x, 0}, panel);
         std::printf("%s, %s, %s, %.2f ms\n", line[0], line[1], line[2], ms);
     }
     save_panel(options, "pruned", panel);
@@ -124,7 +112,7 @@ void draw(const Options& options) {
     const int scale = text_scale(options.height), left = 100 * options.width / 320, top = options.height * 5 / 18;
     const int column = (options.width - left) / 5, row = (options.height - top) / static_cast<int>(kPasses.size());
     const std::vector<PlannedScene> scenes = five_scenes({column - 4, top - 12 * scale});
-    Panel panel = drawing(options);
+    Panel panel = drawing_panel({options.width, options.height});
     int y = top + row / 2 + 3 * scale - row;
     for (const std::string& pass : kPasses)
         panel.labels.push_back({{4 * scale, y += row}, pass, kChalk, caption_size(options.height)});
@@ -132,7 +120,7 @@ void draw(const Options& options) {
         const auto& [name, scene] = scenes[static_cast<std::size_t>(c)];
         const scene::RenderPlan plan = make_plan(scene);
         const int x = left + c * column;
-        paste_picture(scene::render(scene), x, panel);
+        paste_picture(scene::render(scene), {x, 0}, panel);
         panel.labels.push_back({{x, top - 3 * scale}, name, kYellow, caption_size(options.height)});
         for (int r = 0; r < static_cast<int>(kPasses.size()); ++r) {
             draw_cell(panel.image, plan, find_pass(plan, kPasses[static_cast<std::size_t>(r)]), x,

@@ -83,7 +83,7 @@ set_target_properties(grade_assignments PROPERTIES UNITY_BUILD ON UNITY_BUILD_BA
 target_compile_options(grade_assignments PRIVATE -Os)
 add_executable(grade_web EXCLUDE_FROM_ALL ${tools}/view/web_grade.cpp
   ${tools}/view/web_png.cpp ${tools}/base64.cpp ${tools}/grade/result_json.cpp ${tools}/grade/plain_text.cpp
-  ${tools}/gallery/markdown.cpp ${tools}/compare/compare.cpp ${tools}/compare/compare_pictures.cpp)
+  ${tools}/escape_html.cpp ${tools}/compare/compare.cpp ${tools}/compare/compare_pictures.cpp)
 target_link_libraries(grade_web PRIVATE kreda_scene kreda_explain grade_assignments)
 set_target_properties(grade_web PROPERTIES UNITY_BUILD OFF)
 target_compile_options(grade_web PRIVATE -Os)

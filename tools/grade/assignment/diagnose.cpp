@@ -33,7 +33,7 @@ bool is_same(Fits& fits, std::size_t variant, Demand demand) {
 
 /// The mean misfit over the tables that are wrong, in the submission or in the explanation alone, and a little for each
 /// mistake and each free number that it takes. A table where the variant is right explains nothing.
-double misfit_over(Fits& fits, const Explanation& e) {
+double misfit_over(Fits& fits, const PossibleCause& e) {
     double sum = 0.0;
     int count = 0;
     for (std::size_t i = 0; i < fits.wrong.size(); ++i) {
@@ -158,7 +158,7 @@ void find_nearest(Fits& fits, Diagnosis& diagnosis) {
     std::vector<Candidate> all;
     for (std::size_t k = 0; k < fits.catalogue.variants.size(); ++k) {
         if (fits.mistakes(k).empty()) continue;
-        for (const Explanation& e : fits.explanations(k)) all.push_back({misfit_over(fits, e), k});
+        for (const PossibleCause& e : fits.possible_causes(k)) all.push_back({misfit_over(fits, e), k});
     }
     const Best best = best_of(fits, all);
     diagnosis.misfit = best.first.misfit;

@@ -111,14 +111,14 @@ double Fits::misfit(std::size_t variant, std::size_t i) {
 double Fits::misfit_of_mistake(std::size_t mistake, std::size_t i) {
     const auto [found, is_new] = mistake_misfits_.try_emplace({mistake, i}, 1.0);
     for (std::size_t way = 0; is_new && way < catalogue.mistakes[mistake].ways.size(); ++way) {
-        for (const Explanation& e : explanations(alone.at({mistake, way}))) {
+        for (const PossibleCause& e : possible_causes(alone.at({mistake, way}))) {
             found->second = std::min(found->second, misfit(e, i));
         }
     }
     return found->second;
 }
 
-double Fits::misfit(const Explanation& e, std::size_t i) {
+double Fits::misfit(const PossibleCause& e, std::size_t i) {
     if (e.share <= 0.0) return misfit(e.variant, i);
     const Sums &v = sums(e.variant, i), &w = sums(e.neighbour, i);
     if (v.ss <= 0.0) return 1.0;
@@ -128,8 +128,8 @@ double Fits::misfit(const Explanation& e, std::size_t i) {
     return std::clamp((v.ss - 2.0 * sv + vv) / v.ss, 0.0, 1.0);
 }
 
-std::vector<Explanation> Fits::explanations(std::size_t variant) const {
-    std::vector<Explanation> all{{variant, variant, 0.0}};
+std::vector<PossibleCause> Fits::possible_causes(std::size_t variant) const {
+    std::vector<PossibleCause> all{{variant, variant, 0.0}};
     const Variant& v = catalogue.variants[variant];
     if (v.ways.size() != 1) return all;
     const std::vector<Way>& ways = catalogue.mistakes[v.mistakes[0]].ways;

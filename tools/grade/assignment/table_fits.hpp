@@ -29,7 +29,7 @@ struct Sums {
 
 /// What may explain a submission: a variant, or something between two neighbours of one family, whose free number was
 /// not among those that were tried. The answers are taken to lie on the straight way between theirs.
-struct Explanation {
+struct PossibleCause {
     std::size_t variant = 0, neighbour = 0;
     double share = 0.0;  ///< 0: the variant itself, up to 1: its neighbour
 };
@@ -61,12 +61,12 @@ struct Fits {
     [[nodiscard]] bool is_wrong(std::size_t variant, std::size_t i) {
         return sums(variant, i).vv > 1e-6;
     }
-    [[nodiscard]] double misfit(const Explanation& e, std::size_t i);
-    [[nodiscard]] bool is_wrong(const Explanation& e, std::size_t i) {
+    [[nodiscard]] double misfit(const PossibleCause& e, std::size_t i);
+    [[nodiscard]] bool is_wrong(const PossibleCause& e, std::size_t i) {
         return is_wrong(e.variant, i) || (e.share > 0.0 && is_wrong(e.neighbour, i));
     }
     /// The variant, and what lies between it and the next of its family, if there is one.
-    [[nodiscard]] std::vector<Explanation> explanations(std::size_t variant) const;
+    [[nodiscard]] std::vector<PossibleCause> possible_causes(std::size_t variant) const;
 
 private:
     /// The best of all ways to make a mistake.
