@@ -38,14 +38,16 @@ std::vector<KeptMap> kept_maps(const std::string& folder) {
 
 }  // namespace
 
-std::uintmax_t kept_maps_limit() {
-    const char* const wish = std::getenv("KREDA_CACHE_MB");
-    if (!wish) return std::uintmax_t{1024} << 20;
-    const std::string text = wish;
+std::uintmax_t bytes_of_megabytes(const std::string& variable, const std::string& text) {
     const bool is_number = !text.empty() && text.size() < 8 &&
                            std::all_of(text.begin(), text.end(), [](char c) { return c >= '0' && c <= '9'; });
-    if (!is_number) throw UserError("KREDA_CACHE_MB=" + text + ": expected a whole number of megabytes");
+    if (!is_number) throw UserError(variable + "=" + text + ": expected a whole number of megabytes");
     return std::uintmax_t{std::stoul(text)} << 20;
+}
+
+std::uintmax_t kept_maps_limit() {
+    const char* const wish = std::getenv("KREDA_CACHE_MB");
+    return wish ? bytes_of_megabytes("KREDA_CACHE_MB", wish) : kUsualCacheBytes;
 }
 
 void mark_as_used(const std::string& map_file) {

@@ -6,6 +6,12 @@
 
 namespace kreda::scene {
 
+/// What a cache may hold where its user names no limit.
+inline constexpr std::uintmax_t kUsualCacheBytes = std::uintmax_t{1024} << 20;
+
+/// The megabytes that an environment variable names, in bytes. Throws UserError where `text` is no whole number.
+[[nodiscard]] std::uintmax_t bytes_of_megabytes(const std::string& variable, const std::string& text);
+
 /// The most that the kept maps of one folder may hold, in bytes: $KREDA_CACHE_MB, else 1024 MB. Throws UserError where
 /// that is no whole number.
 [[nodiscard]] std::uintmax_t kept_maps_limit();

@@ -59,9 +59,9 @@ void list_triangles(Listing& list) {
     const std::uint64_t count = list.counts.triangles;
     list.add(PassScope::frame, place_triangles, "triangles",
              "cull, clip and sort " + std::to_string(count) + " triangles into tiles", triangle_cost(list.counts))
-        .buffers = {{list.plan.seen ? "triangles and bins" : "triangles and bins, at most",
-                     list.counts.drawn * (sizeof(raster::ScreenTriangle) + sizeof(std::uint16_t))},
-                    {"those of one chunk, a thread, while it runs", raster::bytes_to_set_up(largest_mesh(list.scene))}};
+        .buffers = {
+        {list.plan.seen ? "triangles and bins" : "triangles and bins, at most", list.counts.drawn * kTriangleBytes},
+        {"those of one chunk, a thread, while it runs", raster::bytes_to_set_up(largest_mesh(list.scene))}};
     if (!list.plan.finds_sides) return;
     list.add(PassScope::frame, judge_sides, "sides",
              "shading.two_sided, and normals that contradict the winding: which side of a triangle is seen",

@@ -24,6 +24,9 @@ struct PlanCounts {
 };
 [[nodiscard]] PlanCounts count(const Scene& scene, const RenderPlan& plan);
 
+/// Bytes of a triangle that is set up, with its entry in one tile.
+inline constexpr std::uint64_t kTriangleBytes = sizeof(raster::ScreenTriangle) + sizeof(std::uint16_t);
+
 /// Operations that one material's reflection of one light takes at one point, with adding it up. `one_half_vector`: the
 /// light is directional and the projection parallel, so that Blinn's h is computed once a batch.
 [[nodiscard]] double reflection_operations(const lighting::Material& material, bool one_half_vector = false);

@@ -1,5 +1,6 @@
 #include "scene/plan/shadow_words.hpp"
 
+#include "scene/plan/plan_cost.hpp"
 #include "scene/plan/shadow_cost.hpp"
 #include "shadows/bvh.hpp"
 #include "shadows/irregular.hpp"
@@ -80,9 +81,8 @@ Account account_of(const Scene& scene, const PlannedShadow& shadow, std::uint64_
 
 std::uint64_t bytes_to_draw(const Scene& scene, const PlannedShadow& shadow) {
     if (shadow.map.settings.method != ShadowMethod::map) return 0;
-    constexpr std::uint64_t kTriangle = sizeof(raster::ScreenTriangle) + sizeof(std::uint16_t);
     return vertices_of(scene, shadow.casters) * sizeof(raster::ScreenVertex) +
-           triangles_of(scene, shadow.casters) * kTriangle;
+           triangles_of(scene, shadow.casters) * kTriangleBytes;
 }
 
 PlannedPass pass_of(const Scene& scene, const PlannedShadow& shadow, const raster::Viewport& viewport) {

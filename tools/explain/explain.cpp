@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <optional>
 
+#include "raster/shading_points.hpp"
 #include "scene/error.hpp"
 #include "scene/render/render.hpp"
 #include "scene/render/walk_passes.hpp"
@@ -14,6 +15,16 @@ namespace {
 
 using scene::Frame;
 using scene::RenderPlan;
+
+/// The number of the tile that holds a sample, and with it all samples of its pixel.
+int tile_with(const Frame& frame, int x, int y) {
+    const raster::TileGrid& grid = frame.buffers.triangles.grid;
+    return grid.tile_of(y) * grid.columns + grid.tile_of(x);
+}
+
+raster::TileArea area_of_tile(const Frame& frame, int tile) {
+    return tile_area(frame.buffers.triangles.grid, frame.plan.viewport, tile);
+}
 
 /// The plan of the picture, and every channel that the scene can show.
 RenderPlan plan_with_views(const scene::Scene& scene) {
@@ -92,17 +103,20 @@ void explain_sample(const SampleFacts& sample, Derivation& derivation) {
     explain_channels(sample, derivation);
 }
 
-/// Where the sample's colour comes from: from itself, or by shading.rate from the point that is lit for its block.
-glm::ivec2 lit_for(const Frame& frame, int x, int y) {
-    const int rate = frame.plan.shading_rate;
-    if (rate == 1) return {x, y};
-    const raster::TileGrid& grid = frame.buffers.triangles.grid;
-    const raster::TileArea area =
-        tile_area(grid, frame.plan.viewport, grid.tile_of(y) * grid.columns + grid.tile_of(x));
+/// By shading.rate, which of the tile's samples are lit in place of which; nullptr: each is lit itself.
+std::unique_ptr<raster::ShadingPoints> shading_points_of(const Frame& frame, const raster::TileArea& area) {
+    if (frame.plan.shading_rate == 1) return nullptr;
     const auto scratch = std::make_unique<scene::TileScratch>();
-    const auto points = std::make_unique<raster::ShadingPoints>();
+    auto points = std::make_unique<raster::ShadingPoints>();
     rasterize_tile(frame.buffers.streams, frame.buffers.triangles, area, scratch->visibility);
-    collect_shading_points(scratch->visibility, area, frame.buffers.triangles, rate, scratch->runs, *points);
+    collect_shading_points(scratch->visibility, area, frame.buffers.triangles, frame.plan.shading_rate, scratch->runs,
+                           *points);
+    return points;
+}
+
+/// Where the colour of sample (x, y) comes from.
+glm::ivec2 lit_for(const raster::ShadingPoints* points, const raster::TileArea& area, int x, int y) {
+    if (!points) return {x, y};
     const int point = points->of[(y - area.y) * raster::kTileSide + x - area.x];
     return {area.x + point % raster::kTileSide, area.y + point / raster::kTileSide};
 }
@@ -120,10 +134,12 @@ void explain_shading_rate(const scene::RenderPlan& plan, int x, int y, const Sam
 
 Explanation explain_in(const Frame& frame, const PixelRequest& request) {
     const int n = frame.plan.samples;
+    const raster::TileArea area = area_of_tile(frame, tile_with(frame, request.x * n, request.y * n));
+    const auto points = shading_points_of(frame, area);
     std::vector<SampleFacts> samples;
     for (int j = 0; j < n; ++j) {
         for (int i = 0; i < n; ++i) {
-            const glm::ivec2 lit = lit_for(frame, request.x * n + i, request.y * n + j);
+            const glm::ivec2 lit = lit_for(points.get(), area, request.x * n + i, request.y * n + j);
             samples.push_back(look_at_sample(frame, lit.x, lit.y));
         }
     }
@@ -151,13 +167,12 @@ Explanation explain_in(const Frame& frame, const PixelRequest& request) {
 
 SampleFacts look_at_sample(const Frame& frame, int x, int y) {
     SampleFacts sample{frame, x, y, {}, -1, nullptr, frame.scene.image.background};
-    const raster::TileGrid& grid = frame.buffers.triangles.grid;
     if (!frame.buffers.triangles.chunks.empty()) {
         sample.covers = triangles_over(frame.buffers.streams, frame.buffers.triangles, x, y);
     }
     sample.nearest = nearest_of(sample.covers);
-    const int tile = grid.tile_of(y) * grid.columns + grid.tile_of(x);
-    const raster::TileArea area = tile_area(grid, frame.plan.viewport, tile);
+    const int tile = tile_with(frame, x, y);
+    const raster::TileArea area = area_of_tile(frame, tile);
     sample.passes = std::make_unique<scene::TileScratch>();
     fit_scratch(frame.plan, *sample.passes);
     if (sample.nearest < 0) {  // what the tile shows there, whatever the background is

@@ -9,7 +9,7 @@
 #include <sys/file.h>
 #include <unistd.h>
 
-#include "scene/error.hpp"
+#include "scene/files/trim_maps.hpp"
 
 namespace kreda::tools {
 
@@ -98,11 +98,7 @@ fs::path grade_cache() {
 
 std::uintmax_t grade_cache_limit() {
     const std::string text = environment_text("KREDA_GRADE_CACHE_MB");
-    if (text.empty()) return std::uintmax_t{1024} << 20;
-    const bool is_number =
-        text.size() < 8 && std::all_of(text.begin(), text.end(), [](char c) { return c >= '0' && c <= '9'; });
-    if (!is_number) throw scene::UserError("KREDA_GRADE_CACHE_MB=" + text + ": expected a whole number of megabytes");
-    return std::uintmax_t{std::stoul(text)} << 20;
+    return text.empty() ? scene::kUsualCacheBytes : scene::bytes_of_megabytes("KREDA_GRADE_CACHE_MB", text);
 }
 
 fs::path cached_folder(const std::string& name, const std::function<void(const fs::path&)>& fill) {
