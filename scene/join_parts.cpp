@@ -10,10 +10,10 @@ namespace {
 constexpr std::uint32_t kNone = 0xffffffffu;
 
 /// What parts must have in common to become one.
-using Look = std::pair<int, bool>;  // material, hidden
+using MaterialLook = std::pair<int, bool>;  // material, hidden
 
-std::vector<Look> looks_of(const Object& object) {
-    std::vector<Look> looks;
+std::vector<MaterialLook> looks_of(const Object& object) {
+    std::vector<MaterialLook> looks;
     for (std::size_t p = 0; p < object.part_material.size(); ++p) {
         looks.emplace_back(object.part_material[p], p < object.part_hidden.size() && object.part_hidden[p]);
     }
@@ -21,8 +21,8 @@ std::vector<Look> looks_of(const Object& object) {
 }
 
 /// The parts of each look, looks in the order of their first part.
-std::vector<std::vector<std::size_t>> parts_by_look(const std::vector<Look>& looks) {
-    std::map<Look, std::size_t> place;
+std::vector<std::vector<std::size_t>> parts_by_look(const std::vector<MaterialLook>& looks) {
+    std::map<MaterialLook, std::size_t> place;
     std::vector<std::vector<std::size_t>> groups;
     for (std::size_t p = 0; p < looks.size(); ++p) {
         const auto [found, is_new] = place.try_emplace(looks[p], groups.size());
@@ -69,10 +69,10 @@ raster::Mesh joined(const raster::Mesh& mesh, const std::vector<std::vector<std:
 }  // namespace
 
 void join_parts(Scene& scene) {
-    using Key = std::pair<std::shared_ptr<const raster::Mesh>, std::vector<Look>>;
+    using Key = std::pair<std::shared_ptr<const raster::Mesh>, std::vector<MaterialLook>>;
     std::map<Key, std::shared_ptr<const raster::Mesh>> made;
     for (Object& object : scene.objects) {
-        const std::vector<Look> looks = looks_of(object);
+        const std::vector<MaterialLook> looks = looks_of(object);
         const std::vector<std::vector<std::size_t>> groups = parts_by_look(looks);
         if (groups.size() == object.mesh->parts.size()) continue;
         std::shared_ptr<const raster::Mesh>& mesh = made[{object.mesh, looks}];

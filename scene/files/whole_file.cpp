@@ -22,7 +22,7 @@ fs::path temporary_name(const fs::path& path) {
     return path.parent_path() / name;
 }
 
-bool write_bytes(const fs::path& path, const std::vector<Bytes>& parts) {
+bool write_parts(const fs::path& path, const std::vector<Bytes>& parts) {
     std::ofstream stream(path, std::ios::binary);
     for (const Bytes& part : parts) {
         stream.write(reinterpret_cast<const char*>(part.data()), static_cast<std::streamsize>(part.size()));
@@ -39,7 +39,7 @@ void write_whole_file(const std::string& path, const std::vector<Bytes>& parts) 
         throw UserError(Place{path}, "is a folder, a pipe or a device and would be replaced; name a file");
     }
     const fs::path temporary = temporary_name(path);
-    const bool is_written = write_bytes(temporary, parts);
+    const bool is_written = write_parts(temporary, parts);
     if (is_written) fs::rename(temporary, path, failed);
     if (is_written && !failed) return;
     const std::string why = failed ? failed.message() : "is the disk full, or the folder protected?";

@@ -1,0 +1,20 @@
+# Most of the scene's room reads and writes text, and is compiled lightly (cmake/flags.cmake); what walks over vertices,
+# pixels or the digits of a mesh stays in kreda_scene itself, at full optimisation.
+get_target_property(scene_sources kreda_scene SOURCES)
+set(text_sources ${scene_sources})
+list(FILTER text_sources INCLUDE REGEX "/scene/(files|plan)/")
+list(FILTER text_sources EXCLUDE REGEX
+  "/files/(obj_[a-z]+|share_vertices|mesh_file|png_bytes|deflate_strips|hash_of_bytes|image_color|write_image|webp_file|gltf_model)\\.cpp$|/plan/(seen|lit_samples|light_reach)\\.cpp$")
+list(REMOVE_ITEM scene_sources ${text_sources})
+set_target_properties(kreda_scene PROPERTIES SOURCES "${scene_sources}")
+add_library(kreda_scene_text OBJECT ${text_sources})
+get_target_property(scene_libraries kreda_scene LINK_LIBRARIES)
+get_target_property(scene_folders kreda_scene INCLUDE_DIRECTORIES)
+target_link_libraries(kreda_scene_text PRIVATE ${scene_libraries})
+if(scene_folders)
+  target_include_directories(kreda_scene_text SYSTEM PRIVATE ${scene_folders})
+endif()
+kreda_precompile(kreda_scene_text)
+kreda_compile_together(kreda_scene_text)
+kreda_compile_lightly(kreda_scene_text)
+target_sources(kreda_scene PRIVATE $<TARGET_OBJECTS:kreda_scene_text>)
