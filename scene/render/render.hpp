@@ -52,7 +52,7 @@ struct RenderBuffers {
     raster::Image film;                ///< linear RGB radiance, row 0 on top
     raster::ByteImage bytes;           ///< in place of the film where the plan says so
     std::vector<raster::Image> views;  ///< one for each of the plan's views, as large as the film
-    std::vector<int> tile_order;       ///< tests shuffle the tiles; empty: row by row
+    std::vector<int> tiles;            ///< the tiles to draw, in this order; empty: all, row by row
 };
 
 /// Milliseconds of each pass, by the names and in the order of the plan. What threads do side by side, tile by tile and

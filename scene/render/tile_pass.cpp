@@ -180,13 +180,14 @@ int tile_to_debug(const Frame& frame) {
 }  // namespace
 
 void render_tiles(const Frame& frame) {
-    const int tile_count = frame.buffers.triangles.grid.columns * frame.buffers.triangles.grid.rows;
-    const std::vector<int>& order = frame.buffers.tile_order;
+    const std::vector<int>& chosen = frame.buffers.tiles;
+    const raster::TileGrid& grid = frame.buffers.triangles.grid;
+    const int tile_count = chosen.empty() ? grid.columns * grid.rows : static_cast<int>(chosen.size());
     const int first = tile_to_debug(frame);
     if (first >= 0) render_tile(frame, first, *frame.buffers.scratch[0]);
 #pragma omp parallel for schedule(dynamic)
     for (int t = 0; t < tile_count; ++t) {
-        const int tile = order.empty() ? t : order[static_cast<std::size_t>(t)];
+        const int tile = chosen.empty() ? t : chosen[static_cast<std::size_t>(t)];
         if (tile == first) continue;
         render_tile(frame, tile, *frame.buffers.scratch[static_cast<std::size_t>(thread_number())]);
     }

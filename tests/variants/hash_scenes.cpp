@@ -188,9 +188,9 @@ std::uint64_t hash(const raster::Image& film) {
 
 void shuffle_tiles(const scene::RenderPlan& plan, scene::RenderBuffers& buffers) {
     const raster::TileGrid grid = raster::make_tile_grid(plan.viewport, plan.samples);
-    buffers.tile_order.resize(static_cast<std::size_t>(grid.columns) * static_cast<std::size_t>(grid.rows));
-    for (std::size_t i = 0; i < buffers.tile_order.size(); ++i) buffers.tile_order[i] = static_cast<int>(i);
-    std::shuffle(buffers.tile_order.begin(), buffers.tile_order.end(), std::mt19937(7));
+    buffers.tiles.resize(static_cast<std::size_t>(grid.columns) * static_cast<std::size_t>(grid.rows));
+    for (std::size_t i = 0; i < buffers.tiles.size(); ++i) buffers.tiles[i] = static_cast<int>(i);
+    std::shuffle(buffers.tiles.begin(), buffers.tiles.end(), std::mt19937(7));
 }
 
 }  // namespace

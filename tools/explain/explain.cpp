@@ -17,8 +17,7 @@ using scene::Frame;
 using scene::RenderPlan;
 
 /// The number of the tile that holds a sample, and with it all samples of its pixel.
-int tile_with(const Frame& frame, int x, int y) {
-    const raster::TileGrid& grid = frame.buffers.triangles.grid;
+int tile_with(const raster::TileGrid& grid, int x, int y) {
     return grid.tile_of(y) * grid.columns + grid.tile_of(x);
 }
 
@@ -134,7 +133,7 @@ void explain_shading_rate(const scene::RenderPlan& plan, int x, int y, const Sam
 
 Explanation explain_in(const Frame& frame, const PixelRequest& request) {
     const int n = frame.plan.samples;
-    const raster::TileArea area = area_of_tile(frame, tile_with(frame, request.x * n, request.y * n));
+    const raster::TileArea area = area_of_tile(frame, tile_with(frame.buffers.triangles.grid, request.x * n, request.y * n));
     const auto points = shading_points_of(frame, area);
     std::vector<SampleFacts> samples;
     for (int j = 0; j < n; ++j) {
@@ -171,7 +170,7 @@ SampleFacts look_at_sample(const Frame& frame, int x, int y) {
         sample.covers = triangles_over(frame.buffers.streams, frame.buffers.triangles, x, y);
     }
     sample.nearest = nearest_of(sample.covers);
-    const int tile = tile_with(frame, x, y);
+    const int tile = tile_with(frame.buffers.triangles.grid, x, y);
     const raster::TileArea area = area_of_tile(frame, tile);
     sample.passes = std::make_unique<scene::TileScratch>();
     fit_scratch(frame.plan, *sample.passes);
@@ -213,6 +212,8 @@ Explanation explain_pixel(const scene::Scene& scene, const PixelRequest& request
     check_request(scene.image, request);
     const RenderPlan plan = plan_with_views(scene);
     scene::RenderBuffers buffers;
+    buffers.tiles = {tile_with(raster::make_tile_grid(plan.viewport, plan.samples), request.x * plan.samples,
+                               request.y * plan.samples)};  // the rest of the picture is not asked for
     std::optional<Explanation> explanation;
     render(scene, plan, buffers, threads, [&](const Frame& frame) { explanation = explain_in(frame, request); });
     return *explanation;

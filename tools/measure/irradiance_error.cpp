@@ -6,22 +6,9 @@
 #include <glm/geometric.hpp>
 
 #include "raster/platform.hpp"
+#include "tools/measure/cube_texels.hpp"
 
 namespace kreda::tools {
-
-namespace {
-
-/// Calls visit(face, x, y) for every texel.
-template <class Visit>
-void for_each_texel(int size, Visit visit) {
-    for (int face = 0; face < lighting::kCubeFaces; ++face) {
-        for (int y = 0; y < size; ++y) {
-            for (int x = 0; x < size; ++x) visit(face, x, y);
-        }
-    }
-}
-
-}  // namespace
 
 double mean_of(const lighting::CubeMap& map) {
     const int size = map.levels[0].size;

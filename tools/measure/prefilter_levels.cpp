@@ -3,6 +3,7 @@
 #include <glm/geometric.hpp>
 
 #include "lighting/microfacet.hpp"
+#include "tools/measure/cube_texels.hpp"
 
 namespace kreda::tools {
 
@@ -14,11 +15,6 @@ struct TexelLight {
     float w;  ///< solid angle
     glm::vec3 L;
 };
-
-template <class Visit>
-void for_each_texel(int size, Visit visit) {
-    for (int i = 0; i < lighting::kCubeFaces * size * size; ++i) visit(i / (size * size), i % size, i / size % size);
-}
 
 std::vector<TexelLight> texel_lights(const lighting::CubeMap& radiance) {
     const int size = radiance.levels[0].size;

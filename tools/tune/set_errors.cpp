@@ -9,7 +9,7 @@ namespace kreda::tools {
 namespace {
 
 /// Beside what is added, each term that differs may work otherwise together with the rest: some codes for each.
-constexpr double kUnknown = 0.05;
+constexpr double kUnmeasured = 0.05;
 
 double mean_distance(const Differences& a, const Differences& b) {
     double sum = 0.0;
@@ -54,7 +54,7 @@ double distance_from(const SetErrors& errors, const DrawnProbe& drawn, const std
     for (std::size_t t = 0; t < chosen.size(); ++t) {
         if (drawn.chosen[t] == chosen[t]) continue;
         const auto from = static_cast<std::size_t>(drawn.chosen[t]), to = static_cast<std::size_t>(chosen[t]);
-        distance += errors.apart[t][from][to] + kUnknown;
+        distance += errors.apart[t][from][to] + kUnmeasured;
     }
     return distance;
 }
