@@ -1,4 +1,4 @@
-"""Live figures: a lesson whose folder has a live.toml gets that scene as a page of `kreda view`, loaded when it is asked for."""
+"""Live figures: a lesson whose folder has a live.toml gets that scene as a page of `kreda view`, loaded when it is seen."""
 import html
 import re
 import subprocess
@@ -52,9 +52,9 @@ def write(root, folder, kreda):
 
 
 def figure(page, title):
-    """Behind a fold; site.js loads it when it is opened, the link works without."""
+    """In a fold; site.js opens it and loads the page when it is scrolled into view. Without a script the link works."""
     name = html.escape(title)
-    return (f'<details class="live"><summary>Open it live: turn the numbers, walk around</summary>'
+    return (f'<details class="live"><summary>Live: turn the numbers, walk around</summary>'
             f'<iframe data-src="{page}" title="{name}, live"></iframe>'
             f'<p><a href="{page}">In a page of its own</a>, drawn by the same code as WebAssembly.</p></details>')
 

@@ -49,12 +49,14 @@
     document.addEventListener('click', (event) => { if (!form.contains(event.target)) hits.hidden = true; });
   }
 
-  // A live figure is loaded when it is opened.
+  // A live figure stands open, and is loaded when it is nearly seen.
+  const load = (frame) => { if (!frame.src) frame.src = frame.dataset.src; };
+  const near = new IntersectionObserver((seen) => {
+    for (const { isIntersecting, target } of seen) if (isIntersecting) load(target);
+  }, { rootMargin: '200px' });
   for (const figure of document.querySelectorAll('details.live')) {
-    figure.addEventListener('toggle', () => {
-      const frame = figure.querySelector('iframe');
-      if (figure.open && !frame.src) frame.src = frame.dataset.src;
-    });
+    figure.open = true;
+    near.observe(figure.querySelector('iframe'));
   }
 
   // Two pictures side by side become one with a handle.

@@ -119,6 +119,12 @@ Value& table_of(Value& root, const Override& override) {
     return repeated ? pick(*table, override) : *table;
 }
 
+/// Of a file and a built-in sky one gives the light: the one that is set last.
+void remove_other_light(Value& table, const std::string& key) {
+    if (table.key != "environment" || (key != "file" && key != "sky")) return;
+    std::erase_if(table.items, [&](const Value& item) { return item.key == (key == "file" ? "sky" : "file"); });
+}
+
 }  // namespace
 
 void apply_overrides(Value& root, const std::vector<std::string>& overrides) {
@@ -126,6 +132,7 @@ void apply_overrides(Value& root, const std::vector<std::string>& overrides) {
         const Override override = split(text);
         Value& table = table_of(root, override);
         Value value = parse_value(override);
+        remove_other_light(table, value.key);
         if (Value* old = find(table, value.key)) {
             *old = std::move(value);
         } else {

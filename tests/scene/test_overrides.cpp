@@ -1,5 +1,6 @@
 #include <doctest/doctest.h>
 
+#include "scene/files/overrides.hpp"
 #include "scene/files/read_scene.hpp"
 
 using namespace kreda::scene;
@@ -45,6 +46,19 @@ TEST_CASE("An override replaces a value or adds it") {
 TEST_CASE("An override adds a table that the file lacks") {
     CHECK(read_with({"image.size=[7,8]"}).image.height == 8);
     CHECK(read_with({"fog.mode=exp"}, "").fog.mode == kreda::lighting::FogMode::exp);
+}
+
+TEST_CASE("Of a file and a sky the one that is set last gives the light") {
+    const auto keys_after = [](const std::vector<std::string>& overrides) {
+        Value root = parse_toml("[environment]\nsky = \"studio\"\nintensity = 2.0\n", "s.toml");
+        apply_overrides(root, overrides);
+        std::string keys;
+        for (const Value& item : root.items.front().items) keys += item.key + " ";
+        return keys;
+    };
+    CHECK(keys_after({"environment.file=a.hdr"}) == "intensity file ");
+    CHECK(keys_after({"environment.file=a.hdr", "environment.sky=sunset"}) == "intensity sky ");
+    CHECK(keys_after({"environment.intensity=3"}) == "sky intensity ");
 }
 
 TEST_CASE("Words and file names need no quotes in an override") {

@@ -1,6 +1,8 @@
 // The viewer behind the page of `kreda view`, without a browser: the same functions, compiled natively.
+#include <chrono>
 #include <filesystem>
 #include <string>
+#include <thread>
 
 #include <doctest/doctest.h>
 #include <glm/geometric.hpp>
@@ -72,6 +74,23 @@ TEST_CASE("the viewer draws the film of kreda render, after its size and camera 
     draw(viewer);
     const scene::ReadOptions without{.overrides = {"light.0.on=false"}};
     CHECK(viewer.buffers.film.values == render(scene::read_scene(folder.file("a.toml"), without)).values);
+}
+
+TEST_CASE("a change of a key reads no file again; a changed file is read again") {
+    const TempFolder folder;
+    folder.write("a.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n");
+    folder.write("a.toml", "[[light]]\n[[material]]\n[[object]]\nmesh = \"a.obj\"\n");
+    std::this_thread::sleep_for(std::chrono::milliseconds(60));  // newer files may change within their time's step
+    Viewer viewer;
+    open_scene(viewer, folder.file("a.toml"), {});
+    const int reads = viewer.files.reads;
+    CHECK(reads > 0);
+    open_scene(viewer, folder.file("a.toml"), {"material.0.shininess=3"});
+    open_scene(viewer, folder.file("a.toml"), {"material.0.shininess=3", "light.0.intensity=2"});
+    CHECK(viewer.files.reads == reads);
+    folder.write("a.obj", "v 0 0 0\nv 1 0 0\nv 0 2 0\nv 1 1 1\nf 1 2 3\n");
+    open_scene(viewer, folder.file("a.toml"), {});
+    CHECK(viewer.files.reads > reads);
 }
 
 TEST_CASE("the screen shows the bytes of the PNG, whatever the exposure and the transfer function are") {

@@ -1,8 +1,11 @@
 #!/usr/bin/env python3
 """Opens pages of `kreda view` in headless Chromium: the film's bits are the program's, keys and controls change the picture,
-R and "Undo all" bring it back to the bit, fingers turn and come nearer, a pixel is explained, a broken file is one line, a crash is
-survived.
+R and "Undo all" bring it back to the bit, fingers turn and come nearer, a pixel is explained, a broken file is one line, crashes are
+survived. A change reads no file again, a dropped .hdr takes the place of a named sky, a hidden page draws nothing and forgets nothing,
+a window of another size is still met by clicks, and a lesson's page loads its figure when it is seen.
 Usage: check_browser.py CHROMIUM KREDA HASH_SCENE_FILES FOLDER   (in the folder of the sources)"""
+import base64
+import json
 import re
 import shutil
 import subprocess
@@ -14,8 +17,28 @@ from browser import Browser
 CHROMIUM, KREDA, HASHES, FOLDER = sys.argv[1:5]
 SCENES = ["examples/25_exponents/live.toml", "examples/assignments/A7_shadow_map/scenes/soft.toml"]
 AT_REST = "new Promise(r => setTimeout(r, 400)).then(() => kreda.engine.call('hash')).then(h => h.hash)"
-DROP = """(() => { const data = new DataTransfer(); data.items.add(new File(["[camera]\\nnaer = 1\\n"], "bad.toml"));
+DROP = """(() => { const data = new DataTransfer();
+for (const [name, bytes] of Object.entries(FILES)) data.items.add(new File([Uint8Array.from(atob(bytes), (c) => c.charCodeAt(0))], name));
 document.dispatchEvent(new DragEvent("drop", { dataTransfer: data, bubbles: true })); })()"""
+MESH = "v -1 -1 0\nv 1 -1 0\nv 0 1 0\nvn 0 0 1\nf 1//1 2//1 3//1\n"
+MESH_SCENE = """[image]
+size = [64, 36]
+background = "environment"
+[camera]
+position = [0, 0, 3]
+[environment]
+sky = "studio"
+[[light]]
+direction = [0, 0, -1]
+[[material]]
+name = "red"
+diffuse = [0.7, 0.1, 0.1]
+[[object]]
+mesh = "a.obj"
+material = "red"
+"""
+# Radiance's format without packing: every texel is half as bright in red as in green, and a quarter of that in blue.
+SKY = b"#?RADIANCE\nFORMAT=32-bit_rle_rgbe\n\n-Y 32 +X 64\n" + bytes([64, 128, 32, 128]) * (64 * 32)
 
 
 def run(*command):
@@ -35,6 +58,12 @@ def make_page(scene, folder):
 def key(browser, name):
     for kind in ("keydown", "keyup"):
         browser.value(f"document.getElementById('picture').dispatchEvent(new KeyboardEvent('{kind}', {{ key: '{name}', bubbles: true }}))")
+
+
+def drop(browser, **files):
+    """Drop these files, a_toml=... as a.toml, on the page."""
+    packed = {name.replace("_", "."): base64.b64encode(data if isinstance(data, bytes) else data.encode()).decode() for name, data in files.items()}
+    browser.value(DROP.replace("FILES", json.dumps(packed)))
 
 
 def message(browser):
@@ -64,12 +93,96 @@ def check_use(browser, film):
     told = browser.wait("!document.getElementById('told').hidden && document.getElementById('explained').textContent")
     assert told and told.startswith("Pixel ("), f"no pixel is explained: {told}"
     assert browser.value("document.getElementById('overlay').textContent") == "nvlhr"
-    browser.value(DROP)
+    drop(browser, bad_toml="[camera]\nnaer = 1\n")
     assert browser.wait("document.getElementById('message').textContent.startsWith('bad.toml:2:1: unknown key')"), message(browser)
-    browser.value("kreda.engine.call('no_such_work').catch(() => {})")
-    assert browser.wait("document.getElementById('message').textContent.includes('was started again')"), message(browser)
-    assert browser.wait(f"{AT_REST}.then(h => h === '{film}')", 20), "after a crash the picture is another"
-    print("camera, keys, explain, a broken file and a crash: as they should be")
+    for _ in range(2):
+        browser.value("document.getElementById('message').textContent = ''; kreda.engine.call('no_such_work').catch(() => {})")
+        assert browser.wait("document.getElementById('message').textContent.includes('was started again')"), message(browser)
+        assert browser.wait(f"{AT_REST}.then(h => h === '{film}')", 20), "after a crash the picture is another"
+    print("camera, keys, explain, a broken file and crashes: as they should be")
+
+
+def turn_control(browser, path, number):
+    """As who types a number into the control of this key."""
+    browser.value(f"""(() => {{ const field = document.querySelector('[data-path="{path}"] input[type=number]');
+field.value = {number}; field.dispatchEvent(new Event("change", {{ bubbles: true }})); }})()""")
+
+
+def check_files(browser):
+    """Dropped files: a mesh is not read again when a key changes, an image takes the place of a sky that has a name."""
+    drop(browser, a_toml=MESH_SCENE, a_obj=MESH)
+    assert browser.wait("kreda.page.path === 'a.toml' && kreda.page.scene"), message(browser)
+    film = browser.value(AT_REST)
+    reads = browser.value("kreda.engine.call('reads').then((r) => r.reads)")
+    turn_control(browser, "material.0.shininess", 3)
+    turn_control(browser, "light.0.intensity", 0.25)
+    assert browser.wait(f"{AT_REST}.then(h => h !== '{film}')", 20), "a control was turned and the picture stayed"
+    assert browser.value("kreda.engine.call('reads').then((r) => r.reads)") == reads, "a key changed, and the mesh was read again"
+    film = browser.value(AT_REST)
+    drop(browser, a_obj=MESH.replace("v 0 1 0", "v 0 0 0"), a_toml=MESH_SCENE)
+    assert browser.wait(f"{AT_REST}.then(h => h !== '{film}')", 20), "another mesh of the same name was dropped, and the old one stayed"
+    film = browser.value(AT_REST)
+    drop(browser, sky_hdr=SKY)
+    assert browser.wait("kreda.page.scene.tables.environment.file === 'sky.hdr'"), message(browser)
+    assert browser.value("kreda.page.scene.tables.environment.sky") is None, "the sky stayed beside the file"
+    assert browser.value(AT_REST) != film, "the environment was changed and the picture stayed"
+    corner = browser.value("[...document.getElementById('picture').getContext('2d').getImageData(0, 0, 1, 1).data]")
+    assert corner[1] > corner[0] > corner[2], f"the background is not the sky that was dropped: {corner}"
+    print("files: the mesh is kept, a .hdr takes the place of a named sky")
+
+
+def check_hidden(browser):
+    """Another tab in front: nothing is drawn, and what changed meanwhile is there afterwards."""
+    film = browser.value(AT_REST)
+    shown = browser.ask("Target.getTargetInfo", browser.session)["targetInfo"]["targetId"]
+    other = browser.ask("Target.createTarget", url="about:blank")["targetId"]
+    browser.ask("Target.activateTarget", targetId=other)
+    is_hidden = browser.wait("document.hidden", 10)
+    if is_hidden:
+        browser.value("document.getElementById('turn').click()")
+        before = browser.value("new Promise((r) => setTimeout(r, 300)).then(() => kreda.page.drawn)")
+        after = browser.value("new Promise((r) => setTimeout(r, 1000)).then(() => kreda.page.drawn)")
+        assert before == after, f"{after - before} pictures in a page that nobody sees"
+        browser.value("document.getElementById('turn').click()")
+        turn_control(browser, "light.0.intensity", 0.7)
+    browser.ask("Target.activateTarget", targetId=shown)
+    browser.ask("Target.closeTarget", targetId=other)
+    assert browser.wait("!document.hidden", 10)
+    if is_hidden:
+        assert browser.wait(f"{AT_REST}.then(h => h !== '{film}')", 20), "a change from while the page was hidden is lost"
+    print("a hidden page draws nothing and forgets nothing" if is_hidden else "this Chromium hides no page: not checked")
+
+
+def check_sizes(browser):
+    """At each width the picture fits and a click in its middle explains the pixel in its middle."""
+    for width, height in ((1280, 900), (820, 500), (390, 800)):
+        browser.ask("Emulation.setDeviceMetricsOverride", browser.session, width=width, height=height, deviceScaleFactor=1, mobile=False)
+        browser.value("scrollTo(0, 0); document.getElementById('told').hidden = true")
+        box = browser.value("(({ x, y, width, height }) => [x, y, width, height])(document.getElementById('picture').getBoundingClientRect())")
+        assert box[0] >= 0 and box[0] + box[2] <= width and box[1] + box[3] <= height, f"{width} x {height}: the picture is at {box}"
+        at = {"x": box[0] + box[2] / 2, "y": box[1] + box[3] / 2, "button": "left", "clickCount": 1}
+        for kind in ("mousePressed", "mouseReleased"):
+            browser.ask("Input.dispatchMouseEvent", browser.session, type=kind, **at)
+        told = browser.wait("!document.getElementById('told').hidden && document.getElementById('explained').textContent")
+        middle = browser.value("[canvas => canvas.width / 2, canvas => canvas.height / 2].map((f) => f(document.getElementById('picture')))")
+        pixel = [int(number) for number in re.match(r"Pixel \((\d+), (\d+)\)", told or "Pixel (-9, -9)").groups()]
+        assert all(abs(a - b) <= 1 for a, b in zip(pixel, middle)), f"{width} x {height}: a click at {middle} explains {pixel}"
+    print("sizes: 1280, 820 and 390 pixels wide, clicks meet their pixels")
+
+
+def check_lesson(browser, folder, page):
+    """The site's own script: a live figure far below is loaded when it is scrolled to."""
+    shutil.copy("docs/site/site.js", folder / "site.js")
+    text = f"""<!DOCTYPE html><title>A lesson</title><p style="height: 5000px">text</p>
+<details class="live"><summary>Live</summary><iframe data-src="{page.name}" style="width: 100%; height: 700px"></iframe></details>
+<script src="site.js"></script>"""
+    (folder / "lesson.html").write_text(text, encoding="utf-8")
+    browser.open((folder / "lesson.html").as_uri())
+    assert browser.wait("document.querySelector('details')?.open"), "the figure does not stand open"
+    assert browser.value("new Promise((r) => setTimeout(r, 500)).then(() => document.querySelector('iframe').src)") == "", "loaded before it is seen"
+    browser.value("document.querySelector('details').scrollIntoView()")
+    assert browser.wait(f"document.querySelector('iframe').src.endsWith('{page.name}')", 20), "scrolled to, and not loaded"
+    print("a lesson's figure is loaded when it is seen")
 
 
 def touch(browser, kind, *points):
@@ -108,6 +221,11 @@ def main():
         films = [check_film(browser, scene, folder) for scene in reversed(SCENES)]
         check_use(browser, films[-1])
         check_touch(browser, films[-1])
+        browser.ask("Emulation.setTouchEmulationEnabled", browser.session, enabled=False)
+        check_sizes(browser)
+        check_files(browser)
+        check_hidden(browser)
+        check_lesson(browser, folder, folder / "25_exponents.html")
     finally:
         browser.close()
 

@@ -1,5 +1,5 @@
-// hash_scene_files SCENE.toml...: a line a scene with a hash of its film's bits. Built natively and as WebAssembly: the
-// lines must be the same.
+// hash_scene_files SCENE.toml...: a line a scene with a hash of its film's bits. hash_scene_files.mjs must print the
+// same lines.
 #include <cstdio>
 #include <exception>
 #include <span>

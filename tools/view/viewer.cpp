@@ -37,8 +37,8 @@ std::string text_of_file(const std::string& path) {
 }
 
 /// The mesh is named as it was given, so that a saved scene file beside it finds it.
-std::string scene_around_file(const std::string& path) {
-    std::string text = scene_around_mesh(path, scene::load_mesh_file(path, {}));
+std::string scene_around_file(const std::string& path, scene::LoadedFiles& files) {
+    std::string text = scene_around_mesh(path, *load_mesh(&files, path, {}));
     const std::string whole = std::filesystem::absolute(path).string();
     const std::size_t at = text.find(whole);
     if (at != std::string::npos) text.replace(at, whole.size(), std::filesystem::path(path).filename().string());
@@ -46,9 +46,9 @@ std::string scene_around_file(const std::string& path) {
 }
 
 /// The text of the scene that is shown for a file.
-std::string scene_text_for(const std::string& path) {
+std::string scene_text_for(const std::string& path, scene::LoadedFiles& files) {
     if (path.empty()) return scene::built_in_scene_text();
-    if (is_mesh_file(path)) return scene_around_file(path);
+    if (is_mesh_file(path)) return scene_around_file(path, files);
     const std::string other = scene::other_format(path);
     if (!other.empty()) throw UserError(scene::Place{path}, other);
     return text_of_file(path);
@@ -59,12 +59,6 @@ scene::Value changed_tree(const std::string& text, const std::string& name, cons
     scene::check_tables(root);
     scene::apply_overrides(root, overrides);
     return root;
-}
-
-/// An image that was read before need not be baked again: the maps know it by its address.
-void keep_environment(const Scene& before, Scene& after) {
-    const bool is_same = after.environment.image && before.environment.file == after.environment.file;
-    if (is_same && before.environment.image) after.environment.image = before.environment.image;
 }
 
 /// Everything that the scene names, whatever the camera sees: the plan serves until a value is changed.
@@ -160,11 +154,11 @@ void put_on_screen(const raster::Image& encoded, ScreenPicture& picture) {
 }  // namespace
 
 void open_scene(Viewer& viewer, const std::string& path, const std::vector<std::string>& overrides) {
-    const std::string text = scene_text_for(path);
+    const std::string text = scene_text_for(path, viewer.files);
     const std::string name = path.empty() ? "built-in scene" : path;
-    const scene::ReadOptions options{.overrides = overrides};
+    const scene::ReadOptions options{.overrides = overrides, .files = &viewer.files};
     Scene scene = read_scene_text(text, name, std::filesystem::path(path).parent_path().string(), options);
-    if (path == viewer.path) keep_environment(viewer.scene, scene);
+    forget_unused(viewer.files);
     viewer.path = path;
     viewer.text = text;
     viewer.tree = changed_tree(text, name, overrides);

@@ -8,6 +8,7 @@
 #include <nlohmann/json_fwd.hpp>
 
 #include "raster/film.hpp"
+#include "scene/files/loaded_files.hpp"
 #include "scene/files/toml_tree.hpp"
 #include "scene/render/render.hpp"
 
@@ -39,6 +40,7 @@ struct Viewer {
     std::string text;   ///< of the scene file, or of the scene around the mesh
     scene::Value tree;  ///< the same with all changes
     scene::Scene scene;
+    scene::LoadedFiles files;           ///< meshes and images that a change does not touch are not read again
     const scene::View* view = nullptr;  ///< nullptr: the picture itself
     scene::RenderPlan plan;
     bool is_planned = false;

@@ -54,6 +54,11 @@ KREDA_WEB const char* kreda_open(const char* path, const char* overrides) {
     });
 }
 
+/// How often a file was read and decoded so far.
+KREDA_WEB const char* kreda_reads() {
+    return answer([] { return Json{{"reads", viewer().files.reads}}; });
+}
+
 /// [x, y, z of the position, of the target, of up], in the file's world.
 KREDA_WEB void kreda_camera(double px, double py, double pz, double tx, double ty, double tz, double ux, double uy,
                             double uz) {

@@ -1,4 +1,5 @@
 // The module in its worker: calls wait their turn; after a crash a new worker takes over with the same files.
+import { unpackLzma } from './lzma.js';
 
 export class Engine {
   /** `source`: of the worker, a string. `told`: hears one line when something went wrong. */
@@ -54,9 +55,16 @@ export class Engine {
   }
 }
 
+const bytesOf = (base64) => Uint8Array.from(atob(base64), (c) => c.charCodeAt(0));
+
+/** The module as the page holds it: "lzma" and base 64, or base 64 of what gzip made. */
+export async function unpackModule(text) {
+  return text.startsWith('lzma ') ? unpackLzma(bytesOf(text.slice(5))) : unpack(text);
+}
+
 /** Bytes from base 64, unpacked where they were packed with gzip. */
 export async function unpack(base64) {
-  const bytes = Uint8Array.from(atob(base64), (c) => c.charCodeAt(0));
+  const bytes = bytesOf(base64);
   if (bytes[0] !== 0x1f || bytes[1] !== 0x8b) return bytes;
   const stream = new Blob([bytes]).stream().pipeThrough(new DecompressionStream('gzip'));
   return new Uint8Array(await new Response(stream).arrayBuffer());

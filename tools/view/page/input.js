@@ -56,6 +56,7 @@ export function listen(canvas, hand, actions) {
 
   canvas.addEventListener('contextmenu', (event) => event.preventDefault());
   canvas.addEventListener('wheel', (event) => {
+    if (window !== top && document.activeElement !== canvas) return; // beside a text the wheel scrolls until one clicks
     event.preventDefault();
     hand.wheel(Math.exp(0.001 * Math.max(-300, Math.min(300, event.deltaY))));
     actions.changed();

@@ -1,7 +1,7 @@
 // The page: a scene in the module, its picture on the canvas, controls beside it.
 import { CameraHand } from './camera.js';
 import { makeControls } from './controls.js';
-import { Engine, unpack } from './engine.js';
+import { Engine, unpack, unpackModule } from './engine.js';
 import { drawCross, drawVectors } from './explain.js';
 import { bytesOf, meaningOf, save } from './files.js';
 import { listen } from './input.js';
@@ -17,7 +17,7 @@ const canvas = $('picture');
 const screen = canvas.getContext('2d', { alpha: false });
 const say = (line) => { $('message').textContent = line; };
 
-const page = { path: '', changes: new Map(), keys: [], scene: null, dirty: true, drawing: null, coarse: 0, moved: 0, list: null };
+const page = { path: '', changes: new Map(), keys: [], scene: null, dirty: true, drawing: null, coarse: 0, moved: 0, list: null, crashes: 0, drawn: 0 };
 const hand = new CameraHand({ position: [0, 0, 1], target: [0, 0, 0], up: [0, 1, 0] });
 const frames = [];
 const mark = { x: 0, y: 0, shown: false };
@@ -62,11 +62,22 @@ function showControls() {
   page.list = $('controls').querySelector('[data-path="material.0.model"] select') ?? $('view');
 }
 
+/** Changes with more of them, the newest last: of two keys that exclude each other the last one counts. */
+function changed(changes, more) {
+  const all = new Map(changes);
+  for (const text of more) {
+    const path = text.split('=')[0].trim();
+    all.delete(path);
+    all.set(path, text);
+  }
+  return all;
+}
+
 let wanted = null;
 /** A control was turned. Of many turns in a row the last counts. */
-async function change(text, path) {
+async function change(text) {
   const isFirst = wanted === null;
-  wanted = new Map(wanted ?? page.changes).set(path, text);
+  wanted = changed(wanted ?? page.changes, [text]);
   if (!isFirst) return;
   while (wanted !== null) {
     const trying = wanted;
@@ -98,6 +109,8 @@ async function draw() {
   if (canvas.height !== answer.height) canvas.height = answer.height;
   $('frame').style.setProperty('--aspect', answer.width / answer.height);
   screen.putImageData(new ImageData(new Uint8ClampedArray(answer.rgba), answer.width, answer.height), 0, 0);
+  page.drawn += 1;
+  page.crashes = 0;
   showNumbers(answer);
   if (!document.documentElement.dataset.film && !$('view').value) {
     document.documentElement.dataset.film = (await engine.call('hash')).hash;
@@ -209,9 +222,7 @@ async function takeFiles(list) {
     const meaning = meaningOf(Object.keys(files), page.scene.tables.material?.[0]);
     await engine.add(files);
     if (meaning.open) return openNew(meaning.open);
-    const changes = new Map(page.changes);
-    for (const text of meaning.changes) changes.set(text.split('=')[0], text);
-    await openNew(page.path, changes);
+    await openNew(page.path, changed(page.changes, meaning.changes));
   } catch (error) { say(error.message); }
 }
 
@@ -238,9 +249,23 @@ function wire() {
   document.addEventListener('pointerlockchange', () => {
     if (!document.pointerLockElement) { hand.flies = false; $('fly').ariaPressed = false; }
   });
+  document.addEventListener('visibilitychange', () => {  // a hidden page draws nothing: the browser calls no tick
+    if (!document.hidden) page.dirty = true;
+    frames.length = 0;
+  });
   document.addEventListener('keydown', (event) => {  // where nothing has the focus, keys are the picture's
     if (event.target === document.body && !event.ctrlKey && !event.metaKey) { canvas.focus({ preventScroll: true }); canvas.dispatchEvent(new KeyboardEvent('keydown', event)); }
   });
+}
+
+/** The same scene again; where that crashes, too, without the changes, and then the built-in one. */
+async function afterCrash(line) {
+  const tries = [[page.path, page.changes], [page.path], ['']];
+  const again = tries[page.crashes];
+  page.crashes += 1;
+  page.scene = null;
+  if (again) await openNew(...again);
+  say(again ? line : 'the module crashes again and again; load the page anew');
 }
 
 // ---- the beginning ---------------------------------------------------------------------------------------------------
@@ -254,17 +279,15 @@ async function givenScene() {
   return given;
 }
 
-const engine = new Engine(source('worker'), source('glue'), await unpack(source('wasm')), async (line) => {
-  await openNew(page.path, page.changes);
-  say(line);
-});
+const engine = new Engine(source('worker'), source('glue'), await unpackModule(source('wasm')), afterCrash);
 globalThis.kreda = { engine, page, hand }; // for whoever looks with the browser's tools
 const step = listen(canvas, hand, { changed: touched, clicked, key });
 wire();
+if (window !== top) document.body.classList.add('embedded'); // beside a text, whose scrolling is not taken away
 const given = await givenScene();
 Object.assign(engine, { files: given.files, folder: given.folder });
 page.first = given.controls ?? [];
 page.keys = await engine.start().then((keys) => keys, (error) => { say(error.message); return []; });
-await openNew(given.path, new Map(given.overrides.map((text) => [text.split('=')[0].trim(), text])));
+await openNew(given.path, changed([], given.overrides));
 if (!page.scene) await openNew('');
 requestAnimationFrame(tick);

@@ -8,6 +8,7 @@ function writeFiles(files, folder) {
   for (const [path, bytes] of Object.entries(files)) {
     const whole = inScene(path);
     kreda.FS.mkdirTree(whole.slice(0, whole.lastIndexOf('/')));
+    if (kreda.FS.analyzePath(whole).exists) kreda.FS.unlink(whole); // another file, whatever its time: none of it is kept
     kreda.FS.writeFile(whole, bytes);
   }
   kreda.FS.mkdirTree(inScene(folder));
@@ -30,6 +31,7 @@ const work = {
     return {};
   },
   open: (path, overrides) => ask('open', path, JSON.stringify(overrides)),
+  reads: () => ask('reads'),
   text: (overrides) => ask('text', JSON.stringify(overrides)),
   explain: (x, y) => ask('explain', x, y),
   hash: () => ask('hash'),
