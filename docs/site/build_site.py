@@ -26,7 +26,7 @@ import template
 SITE = Path(__file__).resolve().parent
 ROOT = SITE.parent.parent
 LANGUAGES = {".cpp": "cpp", ".hpp": "cpp", ".py": "python", ".toml": "toml", ".cmake": "cmake", ".json": "json",
-             ".md": "markdown", ".sh": "bash"}
+             ".sh": "bash"}
 LICENCE = pages.Page("docs/LICENSE.md", "license-docs.html", "Licence of text and pictures")
 
 
@@ -163,7 +163,7 @@ class Site:
         if not (ROOT / path).is_file():
             raise SystemExit(f"docs: a page links {path}, which is no file")
         code = (ROOT / path).read_text(encoding="utf-8")
-        body = pandoc.source_page(code, LANGUAGES.get(Path(path).suffix, "default"))
+        body = pandoc.source_page(code, LANGUAGES.get(Path(path).suffix, ""))
         self.write(pages.Page(path, f"source/{name}.html", path), body, kind="source", source="")
 
     def build(self):
