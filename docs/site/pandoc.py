@@ -75,7 +75,7 @@ def names_of(bibliography):
         authors = [" ".join(filter(None, (a.get("non-dropping-particle"), a.get("family") or a.get("literal"))))
                    for a in work["author"]]
         who = authors[0] if len(authors) == 1 else " & ".join(authors) if len(authors) == 2 else authors[0] + " et al."
-        names[work["id"]] = f'{who} {work["issued"]["date-parts"][0][0]}'
+        names[work["id"]] = f'{who} {work["issued"]["date-parts"][0][0]}' if "issued" in work else who
     return names
 
 
