@@ -111,9 +111,11 @@ local function find_mention(str)
   if number then mentioned[number] = true end
 end
 
--- Statements share their numbers with the equations: a list of The idea that does not begin with 1, or whose (1) is no equation but is mentioned.
+-- Statements share their numbers with the equations: a list of The idea that does not begin with 1,
+-- or whose (1) is no equation although (1) is mentioned or other equations have numbers.
 local function holds_statements(block)
-  return block.t == 'OrderedList' and (block.start > 1 or mentioned['1'] and not equations['1'])
+  if block.t ~= 'OrderedList' then return false end
+  return block.start > 1 or not equations['1'] and (mentioned['1'] or next(equations)) ~= nil
 end
 
 local function statement(blocks, number)
