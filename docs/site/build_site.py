@@ -26,7 +26,7 @@ import template
 SITE = Path(__file__).resolve().parent
 ROOT = SITE.parent.parent
 LANGUAGES = {".cpp": "cpp", ".hpp": "cpp", ".py": "python", ".toml": "toml", ".cmake": "cmake", ".json": "json",
-             ".md": "markdown", ".sh": "bash"}
+             ".sh": "bash"}
 LICENCE = pages.Page("docs/LICENSE.md", "license-docs.html", "Licence of text and pictures")
 
 
@@ -103,7 +103,8 @@ def heading(page, eyebrow):
 
 
 class Site:
-    def __init__(self, folder, kreda, out_examples):
+    def __init__(self, folder, kreda, out_examples, only=()):
+        self.only = set(only)
         self.folder, self.kreda, self.out_examples = folder, kreda, out_examples
         self.template = template.read()
         self.lessons, self.guides, self.assignments = pages.lessons(ROOT), pages.guides(ROOT), pages.assignments(ROOT)
@@ -163,7 +164,7 @@ class Site:
         if not (ROOT / path).is_file():
             raise SystemExit(f"docs: a page links {path}, which is no file")
         code = (ROOT / path).read_text(encoding="utf-8")
-        body = pandoc.source_page(code, LANGUAGES.get(Path(path).suffix, "default"))
+        body = pandoc.source_page(code, LANGUAGES.get(Path(path).suffix, ""))
         self.write(pages.Page(path, f"source/{name}.html", path), body, kind="source", source="")
 
     def build(self):
@@ -171,21 +172,22 @@ class Site:
         self.folder.mkdir(parents=True)
         lines = "".join(f"  [{json.dumps(p.source)}] = {json.dumps(p.file)},\n" for p in self.pages)
         self.metadata.write_text(f"return {{\n{lines}}}\n", encoding="utf-8")
-        places = reference.build(self.folder / "api")
+        places = {} if self.only else reference.build(self.folder / "api")
         self.symbols = symbols.Symbols(ROOT, self.kreda, places)
         self.glossary = glossary.Glossary(ROOT)
         for name in ("style.css", "site.js", "icon.svg"):
             shutil.copyfile(SITE / name, self.folder / name)
-        copy_pictures(self.pages, self.folder, self.out_examples)
+        chosen = [p for p in self.pages if not self.only or p.name in self.only]
+        copy_pictures(chosen, self.folder, self.out_examples)
         self.shown = {p.number for p in self.lessons if gallery.pictures_of(p, self.out_examples, ROOT / "docs/images")}
-        self.live = live.write(ROOT, self.folder, self.kreda)
+        self.live = {} if self.only else live.write(ROOT, self.folder, self.kreda)
         self.edit = live_code.write(ROOT, self.folder, {p.number: p.title for p in self.lessons})
         with ThreadPoolExecutor(2) as pool:
-            bodies = list(pool.map(self.convert, [p for p in self.pages if p.markdown]))
+            bodies = list(pool.map(self.convert, [p for p in chosen if p.markdown]))
         made = {"docs/symbols.toml": "<p>Every symbol of every numbered equation: what it is, where the code has it, and its number at one "
                 "pixel or in the page's session.</p>\n" + self.symbols.list_of_all(),
                 "docs/references.bib": pandoc.references(ROOT / "docs/references.bib")}
-        for page in self.pages:
+        for page in chosen:
             if page.source in made:
                 self.write(page, made[page.source], kind="guide")
                 bodies.append((page, made[page.source] if page.source.endswith(".bib") else ""))
@@ -206,6 +208,7 @@ def main():
     parser.add_argument("--kreda", default=ROOT / "build/release/bin/kreda", type=Path,
                         help="the program that explains the pages' pixels (build/release/bin/kreda)")
     parser.add_argument("--examples", default=ROOT / "out", type=Path, help="folder that the examples drew into (out)")
+    parser.add_argument("--only", nargs="+", default=[], metavar="PAGE", help="these pages (42_cook_torrance gltf), for a quick look; others' links lead nowhere")
     parser.add_argument("--pdf", action="store_true", help="print all lessons, too: course.pdf beside the site's folder (with Chromium)")
     parser.add_argument("-v", "--verbose", action="store_true", help="name every symbol that does not resolve")
     parser.add_argument("--symbols", action="store_true", help="build nothing: does every symbol resolve?")
@@ -223,12 +226,12 @@ def main():
         print(f"{table.equations} equations: {table.report()}")
         raise SystemExit("\n".join(table.problems) if table.problems else 0)
     pandoc.cache = options.out.resolve().parent / "site_cache"
-    site = Site(options.out.resolve(), options.kreda, options.examples)
+    site = Site(options.out.resolve(), options.kreda, options.examples, options.only)
     site.build()
     for problem in site.symbols.problems[:None if options.verbose else 0]:
         print(problem)
     said = site.symbols.report()
-    print(f"{len(site.pages)} pages in {time.monotonic() - begin:.0f} s; {said}")
+    print(f"{len(site.bodies)} pages in {time.monotonic() - begin:.0f} s; {said}")
     print(f"The site: file://{options.out.resolve()}/index.html")
     if options.pdf:
         to = options.out.resolve().parent / "course.pdf"

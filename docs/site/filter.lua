@@ -105,7 +105,44 @@ local function find_equations(math)
   if number then equations[number] = true end
 end
 
--- "(3)" is a link to equation (3), where the page has one.
+local mentioned = {}  -- the N of every "(N)"
+local function find_mention(str)
+  local number = str.text:match('%((%d+)%)')
+  if number then mentioned[number] = true end
+end
+
+-- Statements share their numbers with the equations: a list of The idea that does not begin with 1,
+-- or whose (1) is no equation although (1) is mentioned or other equations have numbers.
+local function holds_statements(block)
+  if block.t ~= 'OrderedList' then return false end
+  return block.start > 1 or not equations['1'] and (mentioned['1'] or next(equations)) ~= nil
+end
+
+local function statement(blocks, number)
+  local link = pandoc.RawBlock('html', ('<a class="number" href="#eq-%s">(%s)</a>'):format(number, number))
+  return pandoc.Div({ pandoc.Div(blocks), link }, { id = 'eq-' .. number, class = 'statement' })
+end
+
+local function number_statements(doc)
+  local blocks, within, found = pandoc.List(), false, {}
+  for _, block in ipairs(doc.blocks) do
+    if block.t == 'Header' and block.level == 2 then within = stringify(block) == 'The idea' end
+    if within and holds_statements(block) then
+      for i, item in ipairs(block.content) do
+        local number = tostring(block.start + i - 1)
+        found[number] = true
+        blocks:insert(statement(item, number))
+      end
+    else
+      blocks:insert(block)
+    end
+  end
+  for number in pairs(found) do equations[number] = true end
+  doc.blocks = blocks
+  return doc
+end
+
+-- "(3)" is a link to equation or statement (3), where the page has one.
 local function Str(str)
   local before, number, after = str.text:match('^(%p-)%((%d+)%)(%p*)$')
   if not number or not equations[number] then return indexed(str.text) end
@@ -184,5 +221,6 @@ local function Header(header)
   if header.level == 1 then return {} end
 end
 
-return { { Meta = Meta }, { Math = find_equations }, { Inlines = Inlines, Strong = Strong, Code = Code, Link = Link, Image = Image, Str = Str, Header = Header },
+return { { Meta = Meta }, { Math = find_equations, Str = find_mention }, { Pandoc = number_statements },
+         { Inlines = Inlines, Strong = Strong, Code = Code, Link = Link, Image = Image, Str = Str, Header = Header },
          { Para = Para, Table = Table } }

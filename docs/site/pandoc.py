@@ -6,6 +6,8 @@ import shutil
 import subprocess
 from pathlib import Path
 
+import highlight
+
 READER = "gfm+tex_math_dollars-yaml_metadata_block"
 cache = None  # a folder: set by build_site.py
 
@@ -18,35 +20,40 @@ def is_there():
     return shutil.which("pandoc") is not None
 
 
-def run(arguments, text, reads=()):
-    """Pandoc's output. `reads`: files that the arguments name, whose text decides what comes out."""
-    asked = hashlib.sha256("\0".join([*arguments, text, *(Path(f).read_text(encoding="utf-8") for f in reads)]).encode())
-    kept = cache / asked.hexdigest() if cache else None
+def kept_or(asked, make):
+    """What was made of the same input before, else what make() returns, which is kept."""
+    kept = cache / hashlib.sha256("\0".join(asked).encode()).hexdigest() if cache else None
     if kept and kept.exists():
         return kept.read_text(encoding="utf-8")
-    done = subprocess.run(["pandoc", *arguments], input=text, capture_output=True, text=True, encoding="utf-8")
-    if done.returncode != 0:
-        raise PandocError(done.stderr.strip())
-    if "Could not convert TeX math" in done.stderr:
-        raise PandocError("a formula that pandoc cannot read: " + " ".join(done.stderr.split()))
+    made = make()
     if kept:
         kept.parent.mkdir(parents=True, exist_ok=True)
-        kept.write_text(done.stdout, encoding="utf-8")
-    return done.stdout
+        kept.write_text(made, encoding="utf-8")
+    return made
+
+
+def run(arguments, text, reads=()):
+    """Pandoc's output. `reads`: files that the arguments name, whose text decides what comes out."""
+    def call():
+        done = subprocess.run(["pandoc", *arguments], input=text, capture_output=True, text=True, encoding="utf-8")
+        if done.returncode != 0:
+            raise PandocError(done.stderr.strip())
+        if "Could not convert TeX math" in done.stderr:
+            raise PandocError("a formula that pandoc cannot read: " + " ".join(done.stderr.split()))
+        return done.stdout
+    return kept_or([*arguments, text, *(Path(f).read_text(encoding="utf-8") for f in reads)], call)
 
 
 def fragment(markdown, pages, root, folder, lua_filter):
     """The HTML of a page's text, without head and foot. The file holds what the filter must know of all pages."""
-    return run(["-f", READER, "-t", "html5", "--mathml", "--wrap=preserve", "-M", f"pages={pages}", "-M", f"root={root}",
-                "-M", f"folder={folder}", "-L", str(lua_filter)], markdown, [pages, lua_filter])
+    return highlight.blocks(run(["-f", READER, "-t", "html5", "--mathml", "--wrap=preserve", "--no-highlight", "-M", f"pages={pages}",
+                                 "-M", f"root={root}", "-M", f"folder={folder}", "-L", str(lua_filter)], markdown, [pages, lua_filter]))
 
 
 def source_page(code, language):
     """A source as HTML; line N has the id L-N."""
-    fence = "~" * 40
-    block = f"{fence} {{#L .{language} .numberLines .lineAnchors}}\n{code.rstrip()}\n{fence}\n"
-    page = run(["-f", "markdown", "-t", "html5", "--wrap=preserve"], block)
-    return re.sub(r'<a href="#L-(\d+)"[^>]*></a>', r'<a href="#L-\1" tabindex="-1" aria-label="line \1"></a>', page)
+    return kept_or([code, language, Path(highlight.__file__).read_text(encoding="utf-8"), str(highlight.pygments)],
+                   lambda: highlight.numbered(code, language))
 
 
 def mathml(formulas):
@@ -68,7 +75,7 @@ def names_of(bibliography):
         authors = [" ".join(filter(None, (a.get("non-dropping-particle"), a.get("family") or a.get("literal"))))
                    for a in work["author"]]
         who = authors[0] if len(authors) == 1 else " & ".join(authors) if len(authors) == 2 else authors[0] + " et al."
-        names[work["id"]] = f'{who} {work["issued"]["date-parts"][0][0]}'
+        names[work["id"]] = f'{who} {work["issued"]["date-parts"][0][0]}' if "issued" in work else who
     return names
 
 

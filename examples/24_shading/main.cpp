@@ -13,7 +13,7 @@ namespace {
 scene::Scene make_scene(glm::ivec2 size, scene::ShadingFrequency frequency, float shininess) {
     scene::Scene scene = empty_scene(size);
     scene.camera.position = {0.0f, 0.4f, 4.0f};
-    scene.camera.vertical_fov_deg = 36.0f;
+    scene.camera.vertical_fov_deg = 42.0f;
     scene.shading.frequency = frequency;
     add_shape(scene, "sphere", 16, glm::vec3(0.0f), shiny(kGreen, shininess));
     scene.lights = {directional_light({0.75f, -0.55f, -1.0f}), directional_light({-1.0f, -0.2f, -0.5f}, 0.3f)};

@@ -1,8 +1,15 @@
 // glTF files made by tests: numbers go into one buffer, the rest of the JSON is given as text.
 #pragma once
 
+#include <algorithm>
+#include <cmath>
 #include <cstdint>
+#include <cstdio>
+#include <cstdlib>
 #include <cstring>
+#include <fstream>
+#include <regex>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -58,6 +65,35 @@ struct GltfMaker {
         return accessor_count++;
     }
 
+    /// The least and the largest of each column of three, which positions must have.
+    template <class Number>
+    [[nodiscard]] static std::string bounds(const std::vector<Number>& numbers) {
+        std::string least, most;
+        for (std::size_t column = 0; column < 3; ++column) {
+            Number a = numbers.at(column), b = a;
+            for (std::size_t i = column; i < numbers.size(); i += 3)
+                a = std::min(a, numbers[i]), b = std::max(b, numbers[i]);
+            if (!std::isfinite(static_cast<double>(b) - static_cast<double>(a))) return "";
+            char text[2][32];
+            std::snprintf(text[0], sizeof(text[0]), "%.9g", static_cast<double>(a));
+            std::snprintf(text[1], sizeof(text[1]), "%.9g", static_cast<double>(b));
+            least += (column > 0 ? "," : "") + std::string(text[0]);
+            most += (column > 0 ? "," : "") + std::string(text[1]);
+        }
+        return ",\"min\":[" + least + "],\"max\":[" + most + "]";
+    }
+
+    /// `"extensionsUsed":[...],` of all that the text names.
+    [[nodiscard]] static std::string extensions_of(const std::string& text) {
+        std::set<std::string> names;
+        const std::regex name("\"((KHR|EXT)_\\w+)\"");
+        for (std::sregex_iterator found(text.begin(), text.end(), name), end; found != end; ++found)
+            names.insert((*found)[1]);
+        std::string list;
+        for (const std::string& each : names) list += (list.empty() ? "\"" : ",\"") + each + "\"";
+        return list.empty() ? "" : "\"extensionsUsed\":[" + list + "],";
+    }
+
     /// Numbers as they lie in memory, `per_element` of them an element.
     template <class Number>
     int add(const std::vector<Number>& numbers, int component, int per_element, const std::string& more = "") {
@@ -65,11 +101,12 @@ struct GltfMaker {
         std::string bytes(numbers.size() * sizeof(Number), '\0');
         std::memcpy(bytes.data(), numbers.data(), bytes.size());
         return add_accessor(add_view(bytes), component, types[per_element - 1],
-                            numbers.size() / static_cast<std::size_t>(per_element), more);
+                            numbers.size() / static_cast<std::size_t>(per_element),
+                            more + (per_element == 3 && more.find("\"min\"") == more.npos ? bounds(numbers) : ""));
     }
 
     [[nodiscard]] std::string json(const std::string& rest, const std::string& uri) const {
-        return "{\"asset\":{\"version\":\"2.0\"},\n\"buffers\":[{" + uri +
+        return "{" + extensions_of(rest) + "\"asset\":{\"version\":\"2.0\"},\n\"buffers\":[{" + uri +
                "\"byteLength\":" + std::to_string(bin.size()) + "}],\n\"bufferViews\":[" + views +
                "],\n\"accessors\":[" + accessors + "],\n" + rest + "}";
     }
@@ -105,10 +142,25 @@ struct GltfMaker {
 inline const std::vector<float> kCorner = {0, 0, 0, 1, 0, 0, 0, 1, 0};
 inline const std::string kPosition0 = "\"attributes\":{\"POSITION\":0}";
 
-[[nodiscard]] inline LoadedText load_gltf(const std::string& bytes, const std::string& name = "a.gltf") {
+/// Khronos' validator reads what tests read: with KREDA_KEEP_GLTF, a folder, every file is kept there.
+inline void keep_gltf(const std::string& bytes) {
+    static int count = 0;
+    if (const char* const folder = std::getenv("KREDA_KEEP_GLTF")) {
+        const char* const kind = bytes.starts_with("glTF") ? ".glb" : ".gltf";
+        std::ofstream(std::string(folder) + "/" + std::to_string(count++) + kind, std::ios::binary) << bytes;
+    }
+}
+
+/// A file that breaks a rule of the specification which Kreda does not need: as they are found.
+[[nodiscard]] inline LoadedText load_loose_gltf(const std::string& bytes, const std::string& name = "a.gltf") {
     const TempFolder folder;
     folder.write(name, bytes);
     return load(folder, name);
+}
+
+[[nodiscard]] inline LoadedText load_gltf(const std::string& bytes, const std::string& name = "a.gltf") {
+    keep_gltf(bytes);
+    return load_loose_gltf(bytes, name);
 }
 
 [[nodiscard]] inline std::string error_of_gltf(const std::string& bytes, const std::string& name = "a.gltf") {

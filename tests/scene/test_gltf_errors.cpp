@@ -164,7 +164,7 @@ TEST_CASE("gltf errors: a damaged part does not cost the others") {
     const std::string meshes = "\"nodes\":[{\"mesh\":0}],\n\"meshes\":[{\"name\":\"table\",\"primitives\":[{" +
                                kPosition0 +
                                "},{\"attributes\":{\"POSITION\":9}},{\"attributes\":{\"POSITION\":0,\"NORMAL\":1}}]}]";
-    const LoadedText read = load_gltf(maker.gltf(meshes));
+    const LoadedText read = load_loose_gltf(maker.gltf(meshes));
     CHECK(read.loaded.mesh.triangle_count() == 2);
     REQUIRE(read.warnings.size() == 2);
     CHECK(has(read.warnings[0], "primitive 1 of mesh 'table' is left out"));

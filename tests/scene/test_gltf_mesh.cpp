@@ -100,7 +100,7 @@ TEST_CASE("gltf: lists and strips and fans join the vertices that the specificat
 TEST_CASE("gltf: numbers of every type and in every arrangement are the same numbers") {
     const auto uvs_of = [](GltfMaker& maker, int accessor) {
         const std::string uv = "\"attributes\":{\"POSITION\":0,\"TEXCOORD_0\":" + std::to_string(accessor) + "}";
-        std::vector<glm::vec2> uvs = load_gltf(maker.gltf(one_mesh(uv))).loaded.mesh.uvs;
+        std::vector<glm::vec2> uvs = load_loose_gltf(maker.gltf(one_mesh(uv))).loaded.mesh.uvs;
         for (glm::vec2& t : uvs) t.y = 1.0f - t.y;
         return uvs;
     };
@@ -131,7 +131,8 @@ TEST_CASE("gltf: signed shares end at -1 and sparse values replace others") {
     maker.add(kCorner, kFloat, 3);
     const int shares = maker.add(std::vector<std::int8_t>{-128, 0, -127, 0, 127, 0}, kByte, 2, ",\"normalized\":true");
     const std::string uv = "\"attributes\":{\"POSITION\":0,\"TEXCOORD_0\":" + std::to_string(shares) + "}";
-    CHECK(load_gltf(maker.gltf(one_mesh(uv))).loaded.mesh.uvs == std::vector<glm::vec2>{{-1, 1}, {-1, 1}, {1, 1}});
+    CHECK(load_loose_gltf(maker.gltf(one_mesh(uv))).loaded.mesh.uvs ==
+          std::vector<glm::vec2>{{-1, 1}, {-1, 1}, {1, 1}});
 
     const std::uint16_t places[] = {2, 0};
     const float values[] = {7, 8, 9, 4, 5, 6};
@@ -143,7 +144,7 @@ TEST_CASE("gltf: signed shares end at -1 and sparse values replace others") {
         const int accessor = maker.add_accessor(has_base ? 0 : -1, kFloat, "VEC3", 3, sparse);
         const std::string position = "\"attributes\":{\"POSITION\":" + std::to_string(accessor) + "}";
         const glm::vec3 kept = has_base ? glm::vec3(1, 0, 0) : glm::vec3(0);
-        CHECK(corners_of(load_gltf(maker.gltf(one_mesh(position))).loaded.mesh) ==
+        CHECK(corners_of(load_loose_gltf(maker.gltf(one_mesh(position))).loaded.mesh) ==
               std::vector<glm::vec3>{{4, 5, 6}, kept, {7, 8, 9}});
     }
 }
@@ -176,7 +177,7 @@ TEST_CASE("gltf: nodes stand where the product of their matrices puts them and m
             ",\"rotation\":" + numbers_text(q, 4) + ",\"scale\":" + numbers_text(s, 3) +
             "},{\"children\":[0],\"matrix\":" + numbers_text(m, 16) +
             "}],\"meshes\":[{\"primitives\":[{\"attributes\":{\"POSITION\":0,\"NORMAL\":1}}]}]";
-        const raster::Mesh mesh = load_gltf(maker.gltf(nodes)).loaded.mesh;
+        const raster::Mesh mesh = load_loose_gltf(maker.gltf(nodes)).loaded.mesh;
         const bool mirrored = glm::determinant(glm::dmat3(world)) < 0.0;
         const std::vector<glm::vec3> corners = corners_of(mesh);
         const std::vector<glm::dvec3> points = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}};
@@ -207,7 +208,7 @@ TEST_CASE("gltf: a mirrored tangent keeps its bitangent") {
         ",\"materials\":[{\"normalTexture\":{\"index\":0}}],\"textures\":[{\"source\":0}],"
         "\"images\":[{\"uri\":\"data:image/png;base64,AAAA\"}]";
     const auto bitangent = [&](const std::string& node) {
-        const raster::Mesh mesh = load_gltf(maker.gltf(one_mesh(all, normal_map, node))).loaded.mesh;
+        const raster::Mesh mesh = load_loose_gltf(maker.gltf(one_mesh(all, normal_map, node))).loaded.mesh;
         REQUIRE(mesh.tangents.size() == 3);
         return glm::cross(mesh.normals[0], glm::vec3(mesh.tangents[0])) * mesh.tangents[0].w;
     };

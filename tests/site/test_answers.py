@@ -19,10 +19,25 @@ def srgb(light):
     return 1.055 * light ** (1 / 2.4) - 0.055
 
 
+def best_factor(shininess, degrees, steps=24):
+    """The factor of Phong's exponent with which Blinn's highlight is nearest to Phong's, in least squares over all viewers."""
+    angle, pairs = math.radians(degrees), []
+    for i in range(steps):
+        z = (i + 0.5) / steps
+        for j in range(2 * steps):
+            phi, s = math.pi * (j + 0.5) / steps, math.sqrt(1 - z * z)
+            x, y = s * math.cos(phi), s * math.sin(phi)
+            phong = max(math.sin(angle) * x + math.cos(angle) * z, 0)
+            blinn = (z + math.cos(angle)) / math.hypot(x - math.sin(angle), y, z + math.cos(angle))
+            pairs.append((phong ** shininess, blinn))
+    return min((sum((p - b ** (shininess * f / 100)) ** 2 for p, b in pairs), f / 100) for f in range(190, 241, 10))[1]
+
+
 ANSWERS = [  # page, what the answer says with {} for the number, the number
     ("11_z_buffer", "= {}. So everything", 100 * (1 - 0.1) / (1 * (100 - 0.1))),
     ("12_camera", "the tangent of {}°", math.degrees(math.atan(math.tan(math.radians(20)) / 2))),
     ("12_camera", "vertical_fov_deg = {},", 2 * math.degrees(math.atan(math.tan(math.radians(20)) / 2))),
+    ("23_blinn_phong", "about {} h if squares", best_factor(24, 60)),
     ("25_exponents", "turned by {}°", math.degrees(math.acos(0.5 ** (1 / 16))) / 2),
     ("25_exponents", "= {} of the radius", math.sin(math.acos(0.5 ** (1 / 16)) / 2)),
     ("30_fog", "e^−1 = {}.", math.exp(-1)),

@@ -1,4 +1,5 @@
 """The site's own parts, by hand: values, symbols, links, the glossary. Usage: test_site.py docs/site"""
+import html
 import re
 import sys
 import tempfile
@@ -11,6 +12,7 @@ sys.path.insert(0, str(SITE))
 import check_site
 import gallery
 import glossary
+import highlight
 import pages
 import paper
 import reference
@@ -50,6 +52,26 @@ class Symbols(unittest.TestCase):
         table.find_in(formula, table.keys, found, free, set())
         self.assertEqual(list(found), ["k_d", "dt"])
         self.assertEqual(free, ["x"])  # π needs no explanation, x does
+
+
+class Code(unittest.TestCase):
+    SOURCE = '/* one\n   two */\n#include <cmath>\n\nconst char* kName = "a & <b>";  // x\n'
+
+    def test_colours_change_no_letter_and_no_line(self):
+        for language in ("cpp", "", "no such language"):
+            plain = [html.unescape(re.sub("<[^>]+>", "", line)) for line in highlight.lines(self.SOURCE, language)]
+            self.assertEqual("\n".join(plain), self.SOURCE)
+
+    @unittest.skipUnless(highlight.pygments, "there is no Pygments")
+    def test_a_comment_of_two_lines_is_one_span_in_each(self):
+        self.assertEqual(highlight.lines(self.SOURCE, "cpp")[:2], ['<span class="co">/* one</span>', '<span class="co">   two */</span>'])
+
+    def test_lines_of_a_file_have_numbers(self):
+        self.assertIn('<span id="L-5"><a href="#L-5"', highlight.numbered(self.SOURCE, "cpp"))
+
+    def test_code_of_a_page_keeps_its_frame(self):
+        body = '<p>a</p><pre class="sh"><code>ls &lt; x</code></pre>'
+        self.assertEqual(re.sub("</?span[^>]*>", "", highlight.blocks(body)), body)
 
 
 class Reference(unittest.TestCase):
