@@ -142,8 +142,7 @@ double Fits::misfit(const PossibleCause& e, std::size_t i) {
 
 double Fits::misfit_between(std::size_t a, std::size_t b, std::size_t i) {
     const VariantAnswers& answers = catalogue.answers;
-    const auto [found, is_new] =
-        between_misfits_.try_emplace({answers.number[a][i], answers.number[b][i], i}, 1.0);
+    const auto [found, is_new] = between_misfits_.try_emplace({answers.number[a][i], answers.number[b][i], i}, 1.0);
     if (!is_new) return found->second;
     double all = 0.0, decided = 0.0, left = 0.0;
     const StageTable& expected = marking.cases.expected[i];
