@@ -87,7 +87,7 @@ struct Set {
     const char* name;
     bool has_solutions;
 };
-constexpr Set kSets[] = {{"unseen", false}, {"fresh", true}, {"third", true}};
+constexpr Set kSets[] = {{"unseen", false}, {"fresh", true}, {"third", true}, {"fourth", true}};
 
 void diagnose_set(const Set& set, const std::string& folder, Tallies& tallies) {
     const Lab& l = lab(folder);
@@ -108,7 +108,7 @@ TEST_CASE("mistakes that were never seen are named right or not at all" * doctes
     }
 }
 
-TEST_CASE("a mistake's free number makes a family, whose ends make pairs") {
+TEST_CASE("a mistake's free number makes a family, whose ends make pairs; each choice of its parts is a way") {
     const TempFolder folder;
     const auto read = [&](const std::string& keys) {
         const std::string file = folder.write("m.toml", "[[mistake]]\nname = \"a\"\nsays = \"\"\npage = \"\"\n" + keys +
@@ -127,6 +127,11 @@ TEST_CASE("a mistake's free number makes a family, whose ends make pairs") {
     for (const tools::Variant& v : tools::make_variants("one two", mistakes, true)) texts.push_back(v.text);
     CHECK(texts == std::vector<std::string>{"one two", "one 0.25f + 0.25f", "one 3.0f + 3.0f", "one 1e+09f + 1e+09f",
                                             "1 two", "1 0.25f + 0.25f", "1 1e+09f + 1e+09f"});
+    const std::vector<tools::Mistake> parts = read("from = [\"one\", \"two\"]\nto = [\"1\", \"2\"]\nparts = true\n");
+    texts.clear();
+    for (const tools::Variant& v : tools::make_variants("one two", parts, true)) texts.push_back(v.text);
+    CHECK(texts == std::vector<std::string>{"one two", "1 2", "one 2", "1 two", "1 two"});  // the last is b
+    CHECK(complaint("from = \"two\"\nto = \"2\"\nparts = true\n").find("two to four") != std::string::npos);
     CHECK(complaint("from = \"two\"\nto = \"$\"\n").find("m.toml:6:6: 'to' in [[mistake]]: expected '$'") !=
           std::string::npos);
     CHECK(complaint("from = \"two\"\nto = \"2\"\nvalues = [1]\n").find("expected '$'") != std::string::npos);

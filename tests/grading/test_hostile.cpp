@@ -117,16 +117,18 @@ void attack(const fs::path& file, BoxTier tier, const Target& target) {
     target.check_untouched();
 }
 
-void attack_all(BoxTier tier) {
-    if (!can_box(tier)) return;
+/// All of them, one after the other, each in the box that box_of(its number) names.
+template <class BoxOf>
+void attack_all(const BoxOf& box_of) {
     const std::vector<fs::path> files = hostile_files();
     CHECK(files.size() >= 25);
     const int shared_before = shared_things();
     const Target target;
-    for (const fs::path& file : files) {
-        const std::string name = file.stem().string();
+    for (std::size_t i = 0; i < files.size(); ++i) {
+        const std::string name = files[i].stem().string(), box = name_of(box_of(i));
         CAPTURE(name);
-        attack(file, tier, target);
+        CAPTURE(box);
+        attack(files[i], box_of(i), target);
     }
     std::this_thread::sleep_for(std::chrono::seconds(1));  // late_writer writes after 0.7 s
     target.check_untouched();
@@ -135,12 +137,22 @@ void attack_all(BoxTier tier) {
 
 }  // namespace
 
+// CTest runs this one alone ("grading: hostile submissions do no harm").
+TEST_CASE("hostile: each does no harm in one of the boxes" * doctest::skip()) {
+    std::vector<BoxTier> boxes;
+    for (const BoxTier tier : {BoxTier::bubblewrap, BoxTier::landlock}) {
+        if (can_box(tier)) boxes.push_back(tier);
+    }
+    if (!boxes.empty()) attack_all([&](std::size_t i) { return boxes[i % boxes.size()]; });
+}
+
+// Rare: twice as many.
 TEST_CASE("hostile submissions do no harm in bubblewrap" * doctest::skip()) {
-    attack_all(BoxTier::bubblewrap);
+    if (can_box(BoxTier::bubblewrap)) attack_all([](std::size_t) { return BoxTier::bubblewrap; });
 }
 
 TEST_CASE("hostile submissions do no harm behind Landlock" * doctest::skip()) {
-    attack_all(BoxTier::landlock);
+    if (can_box(BoxTier::landlock)) attack_all([](std::size_t) { return BoxTier::landlock; });
 }
 
 TEST_CASE("hostile: the target can be harmed without a box") {

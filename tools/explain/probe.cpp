@@ -147,6 +147,27 @@ std::vector<Cover> triangles_over(const VertexStreams& streams, const raster::Tr
     return covers;
 }
 
+std::vector<std::vector<Cover>> triangles_over_all(const VertexStreams& streams, const raster::TriangleSet& set,
+                                                   int width, int height) {
+    std::vector<std::vector<Cover>> covers(static_cast<std::size_t>(width) * static_cast<std::size_t>(height));
+    for (std::size_t c = 0; c < set.chunks.size(); ++c) {
+        const auto& triangles = set.chunks[c].triangles;
+        for (std::size_t t = 0; t < triangles.size(); ++t) {
+            const auto v = corners_of(streams, triangles[t]);
+            const raster::SampleBox box = raster::sample_box(*v[0], *v[1], *v[2], width, height);
+            for (int y = box.y_first; y <= box.y_last; ++y) {
+                for (int x = box.x_first; x <= box.x_last; ++x) {
+                    if (!covers_sample(*v[0], *v[1], *v[2], x, y)) continue;
+                    covers[static_cast<std::size_t>(y) * static_cast<std::size_t>(width) + static_cast<std::size_t>(x)]
+                        .push_back({raster::triangle_id(c, static_cast<std::uint32_t>(t)), triangles[t],
+                                    edges_at(streams, triangles[t], x, y), depth_over(v, x, y)});
+                }
+            }
+        }
+    }
+    return covers;
+}
+
 int nearest_of(const std::vector<Cover>& covers) {
     int nearest = -1;
     float depth = raster::kClearDepth;

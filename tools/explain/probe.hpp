@@ -40,6 +40,10 @@ struct Cover {
 [[nodiscard]] std::array<std::int64_t, 3> edges_at(const raster::VertexStreams& streams,
                                                    const raster::ScreenTriangle& triangle, int x, int y);
 
+/// Every triangle of the set over the centre of each sample, row by row from the top; each list in drawing order.
+[[nodiscard]] std::vector<std::vector<Cover>> triangles_over_all(const raster::VertexStreams& streams,
+                                                                 const raster::TriangleSet& set, int width, int height);
+
 /// Every triangle of the set over the centre of sample (x, y), in drawing order.
 [[nodiscard]] std::vector<Cover> triangles_over(const raster::VertexStreams& streams, const raster::TriangleSet& set,
                                                 int x, int y);

@@ -13,6 +13,8 @@ constexpr double kMostMisfitAlone = 0.11;
 constexpr double kMostMisfitOfPair = 0.04;
 /// The next mistake must leave this many times as much.
 constexpr double kClearlyBetter = 2.0;
+/// One of two mistakes that leaves no more than this besides what both leave is named alone.
+constexpr double kAboutAsGood = 0.01;
 
 /// Which tables must be the same, from strict to lenient: all; those that are wrong (what the variant has wrong
 /// besides, the submission may do elsewhere); the pictures (it may do even the wrong thing elsewhere).
@@ -105,6 +107,11 @@ Best best_of(const Fits& fits, std::vector<Candidate> candidates) {
     Best best;
     if (candidates.empty()) return best;
     best.first = candidates[0];
+    for (const Candidate& c : candidates) {
+        const bool is_simpler = fits.mistakes(c.variant).size() < fits.mistakes(best.first.variant).size() &&
+                                shares_mistake(fits.mistakes(c.variant), fits.mistakes(best.first.variant));
+        if (is_simpler && c.misfit <= best.first.misfit + kAboutAsGood) best.first = c;
+    }
     const std::vector<std::size_t>& named = fits.mistakes(best.first.variant);
     for (const Candidate& c : candidates) {
         // More mistakes than the best has fit better by chance: they are no rivals.

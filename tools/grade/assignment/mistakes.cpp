@@ -11,6 +11,7 @@ namespace kreda::tools {
 namespace {
 
 namespace fs = std::filesystem;
+constexpr std::size_t kMostParts = 4;
 
 /// 0.25 -> "0.25f", 9 -> "9.0f"
 std::string literal(double value) {
@@ -49,7 +50,20 @@ void check_fits(const std::vector<TextChange>& changes, const std::string& solut
     }
 }
 
-/// One way, or with `values` a family of them.
+/// Each choice of the changes, all of them first. A mistake made in a part of its places makes no pairs: there would be
+/// too many.
+void add_parts(const std::vector<TextChange>& changes, std::size_t family, bool in_pairs, std::vector<Way>& ways) {
+    const unsigned all = (1u << changes.size()) - 1u;
+    for (unsigned chosen = all; chosen > 0; --chosen) {
+        std::vector<TextChange> part;
+        for (std::size_t i = 0; i < changes.size(); ++i) {
+            if ((chosen >> i & 1u) != 0) part.push_back(changes[i]);
+        }
+        ways.push_back({part, family++, in_pairs && chosen == all});
+    }
+}
+
+/// One way, or with `values` a family of them, or with `parts` one for each choice of the changes.
 void read_ways(TableReader& reader, const std::string& solution, std::vector<Way>& ways) {
     const std::vector<TextChange> changes = read_changes(reader);
     check_fits(changes, solution, reader);
@@ -64,7 +78,13 @@ void read_ways(TableReader& reader, const std::string& solution, std::vector<Way
     }
     bool in_pairs = true;
     reader.read("pairs", in_pairs);
+    bool has_parts = false;
+    reader.read("parts", has_parts);
+    if (has_parts && (!values.empty() || changes.size() < 2 || changes.size() > kMostParts)) {
+        reader.complain("parts", "expected two to four texts in 'from', and no 'values'");
+    }
     const std::size_t family = ways.empty() ? 0 : ways.back().family + 1;
+    if (has_parts) return add_parts(changes, family, in_pairs, ways);
     if (values.empty()) ways.push_back({changes, family, in_pairs});
     for (std::size_t i = 0; i < values.size(); ++i) {
         const bool is_end = i == 0 || i + 1 == values.size();

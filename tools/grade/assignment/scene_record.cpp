@@ -22,12 +22,13 @@ SeenPoint seen_point(const scene::Frame& frame, glm::ivec2 pixel, const Cover& c
 void look_at_pixels(SceneRecord& record) {
     const scene::Frame& frame = record.frame;
     const raster::Viewport& viewport = frame.plan.viewport;
-    for (int y = 0; y < viewport.height; ++y) {
-        for (int x = 0; x < viewport.width; ++x) {
-            record.covers.push_back(triangles_over(frame.buffers.streams, frame.buffers.triangles, x, y));
-            const int nearest = nearest_of(record.covers.back());
+    record.covers = triangles_over_all(frame.buffers.streams, frame.buffers.triangles, viewport.width, viewport.height);
+    for (int y = 0, i = 0; y < viewport.height; ++y) {
+        for (int x = 0; x < viewport.width; ++x, ++i) {
+            const std::vector<Cover>& covers = record.covers[static_cast<std::size_t>(i)];
+            const int nearest = nearest_of(covers);
             if (nearest < 0) continue;
-            const Cover& cover = record.covers.back()[static_cast<std::size_t>(nearest)];
+            const Cover& cover = covers[static_cast<std::size_t>(nearest)];
             record.points.push_back(seen_point(frame, {x, y}, cover));
         }
     }

@@ -13,6 +13,8 @@ namespace {
 constexpr double kSameShare = 0.002;
 /// Into so many steps the way between two neighbours of a family is divided.
 constexpr int kSteps = 8;
+/// The least share of a table's error that must lie where two neighbours nearly agree.
+constexpr double kDecidedShare = 0.5;
 
 /// The error of one number, made small and finite: what is far off is just far off.
 double error_of(double value, double expected, double scale) {
@@ -21,8 +23,9 @@ double error_of(double value, double expected, double scale) {
     return std::clamp(error, -4.0, 4.0);
 }
 
-Sums sums_of(const StageTable& input, const StageTable& expected, const StageTable& s, const StageTable& v) {
-    Sums sums;
+/// Calls visit(column, index of a number, greatest expected number of its row) for every number of a row without doubt.
+template <class Visit>
+void for_each_number(const StageTable& input, const StageTable& expected, const Visit& visit) {
     for (std::size_t c = 0; c < expected.columns.size(); ++c) {
         const StageColumn& e = expected.columns[c];
         for (std::size_t i = 0; i < e.values.size(); ++i) {
@@ -32,13 +35,21 @@ Sums sums_of(const StageTable& input, const StageTable& expected, const StageTab
             for (std::size_t k = 0; k < e.components; ++k) {
                 scale = std::max(scale, std::abs(e.values[row * e.components + k]));
             }
-            const double a = error_of(s.columns[c].values[i], e.values[i], scale);
-            const double b = error_of(v.columns[c].values[i], e.values[i], scale);
-            sums.ss += a * a;
-            sums.sv += a * b;
-            sums.vv += b * b;
+            visit(c, i, scale);
         }
     }
+}
+
+Sums sums_of(const StageTable& input, const StageTable& expected, const StageTable& s, const StageTable& v) {
+    Sums sums;
+    for_each_number(input, expected, [&](std::size_t c, std::size_t i, double scale) {
+        const double right = expected.columns[c].values[i];
+        const double a = error_of(s.columns[c].values[i], right, scale);
+        const double b = error_of(v.columns[c].values[i], right, scale);
+        sums.ss += a * a;
+        sums.sv += a * b;
+        sums.vv += b * b;
+    });
     return sums;
 }
 
@@ -120,12 +131,35 @@ double Fits::misfit_of_mistake(std::size_t mistake, std::size_t i) {
 
 double Fits::misfit(const PossibleCause& e, std::size_t i) {
     if (e.share <= 0.0) return misfit(e.variant, i);
+    if (e.anywhere) return misfit_between(e.variant, e.neighbour, i);
     const Sums &v = sums(e.variant, i), &w = sums(e.neighbour, i);
     if (v.ss <= 0.0) return 1.0;
     const double near = 1.0 - e.share, far = e.share;
     const double sv = near * v.sv + far * w.sv;
     const double vv = near * near * v.vv + 2.0 * near * far * product(e.variant, e.neighbour, i) + far * far * w.vv;
     return std::clamp((v.ss - 2.0 * sv + vv) / v.ss, 0.0, 1.0);
+}
+
+double Fits::misfit_between(std::size_t a, std::size_t b, std::size_t i) {
+    const VariantAnswers& answers = catalogue.answers;
+    const auto [found, is_new] = between_misfits_.try_emplace({answers.number[a][i], answers.number[b][i], i}, 1.0);
+    if (!is_new) return found->second;
+    double all = 0.0, decided = 0.0, left = 0.0;
+    const StageTable& expected = marking.cases.expected[i];
+    for_each_number(marking.cases.inputs[i], expected, [&](std::size_t c, std::size_t k, double scale) {
+        const auto error = [&](const StageTable& t) {
+            return error_of(t.columns[c].values[k], expected.columns[c].values[k], scale);
+        };
+        const double s = error(*marking.answers[i]), v = error(answers.of(a, i)), w = error(answers.of(b, i));
+        const double outside = s - std::clamp(s, std::min(v, w), std::max(v, w));
+        all += s * s;
+        left += outside * outside;
+        // Where the neighbours are far apart, to lie between them says little.
+        const bool decides = std::abs(v - w) <= 0.5 * std::max({std::abs(s), std::abs(v), std::abs(w)});
+        if (decides) decided += s * s;
+    });
+    if (decided > kDecidedShare * all) found->second = std::min(left / decided, 1.0);
+    return found->second;
 }
 
 std::vector<PossibleCause> Fits::possible_causes(std::size_t variant) const {
@@ -137,6 +171,7 @@ std::vector<PossibleCause> Fits::possible_causes(std::size_t variant) const {
     const auto next = alone.find({v.mistakes[0], way + 1});
     if (next == alone.end() || ways[way + 1].family != ways[way].family) return all;
     for (int k = 1; k < kSteps; ++k) all.push_back({variant, next->second, static_cast<double>(k) / kSteps});
+    all.push_back({variant, next->second, 0.5, true});
     return all;
 }
 

@@ -1,6 +1,7 @@
 // A submission's answers beside those of the catalogue, table by table.
 #pragma once
 
+#include <array>
 #include <map>
 #include <optional>
 #include <utility>
@@ -28,10 +29,12 @@ struct Sums {
 [[nodiscard]] double misfit_of(const Sums& sums);
 
 /// What may explain a submission: a variant, or something between two neighbours of one family, whose free number was
-/// not among those that were tried. The answers are taken to lie on the straight way between theirs.
+/// not among those that were tried. Its answers lie on the straight way between theirs, or (where they jump, as at the
+/// place of a hard edge) each anywhere between the two.
 struct PossibleCause {
     std::size_t variant = 0, neighbour = 0;
-    double share = 0.0;  ///< 0: the variant itself, up to 1: its neighbour
+    double share = 0.0;     ///< 0: the variant itself, up to 1: its neighbour
+    bool anywhere = false;  ///< each answer for itself, not all with the same share
 };
 
 /// A submission beside the catalogue, table by table. Variants share their answers: each is looked at once, when it is
@@ -72,6 +75,9 @@ private:
     /// The best of all ways to make a mistake.
     [[nodiscard]] double misfit_of_mistake(std::size_t mistake, std::size_t i);
     std::map<std::pair<std::size_t, std::size_t>, double> mistake_misfits_;
+    std::map<std::array<std::size_t, 3>, double> between_misfits_;
+    /// Of answers that each lie between those of two variants.
+    [[nodiscard]] double misfit_between(std::size_t a, std::size_t b, std::size_t i);
     [[nodiscard]] double product(std::size_t a, std::size_t b, std::size_t i);
 };
 

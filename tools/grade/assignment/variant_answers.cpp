@@ -51,7 +51,8 @@ std::vector<StageTable> VariantAnswers::all_of(std::size_t variant) const {
     return all;
 }
 
-VariantAnswers answers_of_variants(const Rubric& rubric, const CaseSet& cases, const std::vector<Variant>& variants) {
+VariantAnswers answers_of_variants(const Rubric& rubric, const CaseSet& cases, const std::vector<Variant>& variants,
+                                   std::size_t count) {
     const fs::path harness = given_files(rubric).harness;
     const std::string source = source_of(rubric, variants);
     const std::string name = content_name(read_text(harness.string()) + source);
@@ -61,14 +62,14 @@ VariantAnswers answers_of_variants(const Rubric& rubric, const CaseSet& cases, c
                      harness.parent_path().string(), (folder / "variants.cpp").string(), "-o",
                      (folder / "program").string()});
     });
-    const std::string inputs = encode_tables(cases.inputs);
+    const std::string inputs = encode_tables(cases.inputs), run = std::to_string(count);
     const fs::path answered =
-        cached_folder("answers-" + name + "-" + content_name(inputs), [&](const fs::path& folder) {
+        cached_folder("answers-" + name + "-" + content_name(inputs + run), [&](const fs::path& folder) {
             write_file((folder / "inputs.bin").string(), inputs);
-            run_trusted({(built / "program").string(), (folder / "inputs.bin").string(), folder.string()});
+            run_trusted({(built / "program").string(), (folder / "inputs.bin").string(), folder.string(), run});
             fs::remove(folder / "inputs.bin");
         });
-    return read_answers(answered, cases, variants.size());
+    return read_answers(answered, cases, count);
 }
 
 }  // namespace kreda::tools

@@ -20,9 +20,13 @@ struct VariantAnswers {
     [[nodiscard]] std::vector<StageTable> all_of(std::size_t variant) const;
 };
 
-/// What each variant answers to each of CaseSet::inputs. The program and its answers are kept in grade_cache(). Throws
-/// UserError where a variant does not compile.
+/// What each variant answers to each of CaseSet::inputs; all are compiled, the first `count` are run. The program and
+/// its answers are kept in grade_cache(). Throws UserError where a variant does not compile.
 [[nodiscard]] VariantAnswers answers_of_variants(const Rubric& rubric, const CaseSet& cases,
-                                                 const std::vector<Variant>& variants);
+                                                 const std::vector<Variant>& variants, std::size_t count);
+[[nodiscard]] inline VariantAnswers answers_of_variants(const Rubric& rubric, const CaseSet& cases,
+                                                        const std::vector<Variant>& variants) {
+    return answers_of_variants(rubric, cases, variants, variants.size());
+}
 
 }  // namespace kreda::tools

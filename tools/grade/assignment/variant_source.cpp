@@ -124,39 +124,45 @@ bool does_the_same(const Run& run, std::size_t variant) {
         if (run.called[f] && kChoice[variant][f] != kChoice[run.variant][f]) return false;
     return true;
 }
-bool same_bits(const harness::Table& a, const harness::Table& b) {
-    for (std::size_t c = 0; c < a.outputs.size(); ++c) {
-        const std::vector<double>& x = a.outputs[c].values, & y = b.outputs[c].values;
+using Answer = std::vector<harness::Column>;
+bool same_bits(const Answer& a, const Answer& b) {
+    for (std::size_t c = 0; c < a.size() && a.size() == b.size(); ++c) {
+        const std::vector<double>& x = a[c].values, & y = b[c].values;
         if (x.size() != y.size() || std::memcmp(x.data(), y.data(), x.size() * sizeof(double)) != 0) return false;
     }
-    return a.outputs.size() == b.outputs.size();
+    return a.size() == b.size();
 }
 struct TableRuns {
+    harness::Table& table;
     std::vector<Run> runs;
-    std::vector<harness::Table> answers;
-    std::size_t answer_of(const harness::Table& inputs, std::size_t variant) {
+    std::vector<Answer> answers;
+    std::size_t answer_of(std::size_t variant) {
         for (const Run& run : runs)
             if (does_the_same(run, variant)) return run.answer;
-        harness::Table table = inputs;
+        table.outputs.clear();
         dispatch::current = variant;
         dispatch::called = {};
         for (std::size_t i = 0; i < table.rows; ++i) dispatch::run_row(harness::Row{table, i});
         std::size_t answer = 0;
-        while (answer < answers.size() && !same_bits(table, answers[answer])) ++answer;
-        if (answer == answers.size()) answers.push_back(table);
+        while (answer < answers.size() && !same_bits(table.outputs, answers[answer])) ++answer;
+        if (answer == answers.size()) answers.push_back(std::move(table.outputs));
         runs.push_back({variant, answer, dispatch::called});
         return answer;
     }
 };
 int main(int, char** argv) {
     const std::string folder = argv[2];
+    const std::size_t count = std::stoul(argv[3]);
     std::ofstream bytes(folder + "/answers.bin", std::ios::binary), index(folder + "/index.txt");
-    for (const harness::Table& inputs : harness::read_tables(argv[1])) {
-        TableRuns table;
+    for (harness::Table& inputs : harness::read_tables(argv[1])) {
+        TableRuns table{inputs, {}, {}};
         std::string numbers;
-        for (std::size_t k = 0; k < kVariants; ++k) numbers += ' ' + std::to_string(table.answer_of(inputs, k));
+        for (std::size_t k = 0; k < count; ++k) numbers += ' ' + std::to_string(table.answer_of(k));
         index << table.answers.size() << numbers << '\n';
-        for (const harness::Table& answer : table.answers) harness::write_table(bytes, answer);
+        for (Answer& answer : table.answers) {
+            inputs.outputs = std::move(answer);
+            harness::write_table(bytes, inputs);
+        }
     }
     return bytes.flush() && index.flush() ? 0 : 1;
 }

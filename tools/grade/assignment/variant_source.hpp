@@ -27,10 +27,11 @@ struct SolutionParts {
 [[nodiscard]] SolutionParts split_solution(const std::string& solution, const std::vector<Prototype>& prototypes);
 
 /// The program's one file. Variants share the functions whose text they share; the stages, and the functions among
-/// themselves, call through functions that hand each call to the variant whose turn it is. The program takes INPUTS and
-/// a FOLDER. FOLDER/answers.bin: for each table of inputs the different answers to it, as tables. FOLDER/index.txt: for
-/// each table of inputs how many they are, and the number of every variant's. A variant is run on a table only if no
-/// other had the same functions where the table's rows called any.
+/// themselves, call through functions that hand each call to the variant whose turn it is. The program takes
+/// INPUTS, a FOLDER, and how many of the first variants to run. FOLDER/answers.bin: for each table of inputs the
+/// different answers to it, as tables. FOLDER/index.txt: for each table of inputs how many they are, and the number of
+/// every variant's. A variant is run on a table only if no other had the same functions where the table's rows called
+/// any.
 [[nodiscard]] std::string variant_source(const std::string& assignment_header, const std::string& stages,
                                          const std::vector<std::string>& solutions);
 
