@@ -10,6 +10,7 @@
 #include "lighting/reflect.hpp"
 #include "lighting/reflection.hpp"
 #include "raster/platform.hpp"
+#include "raster/scalar_math.hpp"
 
 namespace kreda::lighting {
 
@@ -343,7 +344,8 @@ void fog_factors(const Fragments& fragments, const LightingSetup& setup, Lightin
 }
 
 void copy_fog(const Fragments& fragments, LightingChannels& channels) {
-    for (int i = 0; i < fragments.count; ++i) channels.fog.set(i, fragments.fog.at(i));
+    // Weights sum to 1 but for their last bits. Above 1, mix_fog would take the fog's light away.
+    for (int i = 0; i < fragments.count; ++i) channels.fog.set(i, raster::saturate(fragments.fog.at(i)));
 }
 
 void apply_fog(int count, const glm::vec3& fog_color, LightingChannels& channels) {

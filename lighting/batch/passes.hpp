@@ -62,7 +62,7 @@ void copy_color(const raster::Fragments& fragments, LightingChannels& channels);
 /// The fog factor of each point from its position.
 void fog_factors(const raster::Fragments& fragments, const LightingSetup& setup, LightingChannels& channels);
 
-/// Instead of fog_factors where the factor was computed at the vertices: f = fragments.fog.
+/// Instead of fog_factors where the factor was computed at the vertices: f = fragments.fog, in [0, 1].
 void copy_fog(const raster::Fragments& fragments, LightingChannels& channels);
 
 /// radiance = f radiance + (1 - f) fog colour.

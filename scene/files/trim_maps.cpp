@@ -3,8 +3,6 @@
 #include <algorithm>
 #include <chrono>
 #include <cstdlib>
-#include <filesystem>
-#include <vector>
 
 #include "scene/error.hpp"
 
@@ -14,15 +12,8 @@ namespace {
 
 namespace fs = std::filesystem;
 
-struct KeptMap {
-    fs::path path;
-    fs::file_time_type used;
-    std::uintmax_t bytes = 0;
-    bool is_unfinished = false;  ///< left by a writer that was killed
-};
-
-std::vector<KeptMap> kept_maps(const std::string& folder) {
-    std::vector<KeptMap> maps;
+std::vector<KeptEntry> kept_maps(const std::string& folder) {
+    std::vector<KeptEntry> maps;
     std::error_code failed;
     for (fs::directory_iterator i(folder, failed), end; !failed && i != end; i.increment(failed)) {
         const std::string name = i->path().filename().string();
@@ -30,7 +21,7 @@ std::vector<KeptMap> kept_maps(const std::string& folder) {
             name.starts_with(".") && name.ends_with(".tmp") && name.find(".map.") != std::string::npos;
         if (!name.ends_with(".map") && !is_unfinished) continue;
         std::error_code gone;  // another process may remove it meanwhile
-        const KeptMap map{i->path(), i->last_write_time(gone), i->file_size(gone), is_unfinished};
+        const KeptEntry map{i->path(), i->last_write_time(gone), i->file_size(gone), is_unfinished};
         if (!gone) maps.push_back(map);
     }
     return maps;
@@ -55,19 +46,23 @@ void mark_as_used(const std::string& map_file) {
     fs::last_write_time(map_file, fs::file_time_type::clock::now(), read_only);
 }
 
-void trim_maps(const std::string& folder, std::uintmax_t limit) {
-    std::vector<KeptMap> maps = kept_maps(folder);
-    std::sort(maps.begin(), maps.end(), [](const KeptMap& a, const KeptMap& b) {
+void remove_oldest(std::vector<KeptEntry> entries, std::uintmax_t limit) {
+    std::sort(entries.begin(), entries.end(), [](const KeptEntry& a, const KeptEntry& b) {
         return a.is_unfinished != b.is_unfinished ? a.is_unfinished : a.used < b.used;
     });
     std::uintmax_t sum = 0;
-    for (const KeptMap& map : maps) sum += map.bytes;
+    for (const KeptEntry& entry : entries) sum += entry.bytes;
     const fs::file_time_type just_now = fs::file_time_type::clock::now() - std::chrono::hours(1);
-    for (const KeptMap& map : maps) {
-        const bool is_wanted = map.used > just_now || (sum <= limit && !map.is_unfinished);
+    for (const KeptEntry& entry : entries) {
+        if (entry.used > just_now || (sum <= limit && !entry.is_unfinished)) continue;
         std::error_code failed;
-        if (!is_wanted && fs::remove(map.path, failed)) sum -= map.bytes;
+        fs::remove_all(entry.path, failed);
+        if (!failed) sum -= entry.bytes;
     }
+}
+
+void trim_maps(const std::string& folder, std::uintmax_t limit) {
+    remove_oldest(kept_maps(folder), limit);
 }
 
 }  // namespace kreda::scene

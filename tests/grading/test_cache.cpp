@@ -60,6 +60,17 @@ TEST_CASE("cache: what was used longest ago is removed down to the limit, and no
     CHECK(fs::exists(folder.path / "now"));
 }
 
+TEST_CASE("cache: what killed processes left half made goes first, though there is room") {
+    const TempFolder folder;
+    make_entry(folder.path / "variants-1.4711", 400, 2);
+    make_entry(folder.path / "variants-2.4712", 400, 0);  // somebody may be at work in it
+    make_entry(folder.path / "old", 400, 30);
+    kreda::tools::trim_cache(folder.path, 1600);
+    CHECK_FALSE(fs::exists(folder.path / "variants-1.4711"));
+    CHECK(fs::exists(folder.path / "variants-2.4712"));
+    CHECK(fs::exists(folder.path / "old"));
+}
+
 TEST_CASE("cache: a folder is filled once, used again, and not there when that fails") {
     const TempFolder folder;
     const Environment chosen("KREDA_GRADE_CACHE", (folder.path / "kept").c_str());

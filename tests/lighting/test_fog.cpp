@@ -5,6 +5,7 @@
 
 #include <doctest/doctest.h>
 
+#include "lighting/batch/passes.hpp"
 #include "lighting/fog.hpp"
 
 using namespace kreda::lighting;
@@ -52,6 +53,22 @@ TEST_CASE("The mix is exact at both ends and lies between the colours") {
             CHECK(mixed[c] <= std::fmax(surface[c], fog[c]) * (1.0f + 2e-7f));
         }
     }
+}
+
+TEST_CASE("A factor from the vertices that rounding put beyond 1 takes no light away") {
+    static kreda::raster::Fragments fragments;
+    static LightingChannels channels;
+    fragments.count = 3;
+    const float factors[] = {1.0f + 0x1p-23f, -0x1p-30f, 0.25f};
+    for (int i = 0; i < 3; ++i) {
+        fragments.fog.set(i, factors[i]);
+        channels.radiance.set(i, glm::vec3(0.0f));
+    }
+    copy_fog(fragments, channels);
+    apply_fog(3, glm::vec3(1e9f), channels);
+    CHECK(channels.radiance.at(0) == glm::vec3(0.0f));
+    CHECK(channels.radiance.at(1) == glm::vec3(1e9f));
+    CHECK(channels.radiance.at(2) == glm::vec3(0.75e9f));
 }
 
 TEST_CASE("Turning the camera changes the planar distance and not the radial one") {

@@ -217,6 +217,23 @@ TEST_CASE("environment cache: the maps that were used longest ago are removed an
     CHECK(fs::last_write_time(folder.file("notes.txt")) > fs::file_time_type::clock::now() - std::chrono::minutes(1));
 }
 
+TEST_CASE("remove oldest: what cannot be removed stays and counts, and more of the others goes") {
+    namespace fs = std::filesystem;
+    const TempFolder folder;
+    const fs::file_time_type now = fs::file_time_type::clock::now();
+    const fs::path stays = folder.path / std::string(300, 'x');  // no name is as long as that: removing it fails
+    std::vector<KeptEntry> entries = {{stays, now - std::chrono::hours(9), 1000, false}};
+    for (int i = 0; i < 3; ++i) {
+        const std::string name = std::to_string(i) + ".map";
+        folder.write(name, std::string(1000, 'x'));
+        entries.push_back({folder.file(name), now - std::chrono::hours(8 - i), 1000, false});
+    }
+    remove_oldest(entries, 2000);
+    CHECK_FALSE(fs::exists(folder.file("0.map")));
+    CHECK_FALSE(fs::exists(folder.file("1.map")));
+    CHECK(fs::exists(folder.file("2.map")));
+}
+
 TEST_CASE("map file: floats come back for their key alone") {
     const TempFolder folder;
     const std::vector<float> floats{1.0f, -0.0f, 3e-42f, 7.0f};

@@ -35,8 +35,6 @@ struct Chance {
 /// Keys whose value is a matter of time or of files, not of numbers: what they get, or "" to leave them out.
 const std::map<std::string, std::string>& fixed_values() {
     static const std::map<std::string, std::string> values = {
-        {"image.size", "[24, 16]"},
-        {"image.samples", "1"},
         {"shadow.size", "32"},
         {"shadow.radius", "2"},
         {"object.detail", "6"},
@@ -53,8 +51,7 @@ const std::map<std::string, std::string>& fixed_values() {
         {"light.on", ""},
         {"material.measured", ""},
         {"material.spectrum", ""},
-        {"camera.near", ""},
-        {"camera.far", ""},
+        {"camera.far", ""},  // beside near
         {"camera.up", ""},
         {"image.background", "[0.0, 1e-8, 1e9]"},
     };
@@ -99,6 +96,16 @@ std::string word_of(const KeyInfo& key, Chance& chance) {
 std::string value_of(const KeyInfo& key, Chance& chance) {
     const std::string name = std::string(key.table) + "." + std::string(key.key);
     if (const auto fixed = fixed_values().find(name); fixed != fixed_values().end()) return fixed->second;
+    if (name == "image.size") {
+        const char* const sizes[] = {"[24, 16]", "[24, 16]", "[17, 23]", "[1, 1]", "[40, 1]", "[1, 40]"};
+        return sizes[chance.below(6)];
+    }
+    if (name == "image.samples") return std::to_string(1 + chance.below(3));
+    if (name == "camera.near") {
+        const char* const planes[] = {"1e-9\nfar = 1e9", "1e-6\nfar = 1e3", "0.1\nfar = 0.1000001", "3.0\nfar = 5.0",
+                                      "1e3\nfar = 1e9"};
+        return planes[chance.below(5)];
+    }
     if (name == "object.mesh") {
         const char* const shapes[] = {"\"sphere\"", "\"cube\"", "\"plane\"", "\"torus\""};
         return shapes[chance.below(4)];

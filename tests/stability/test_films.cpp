@@ -1,12 +1,14 @@
 // Whatever a scene says within what it may say, its film holds light: no NaN, no infinity, nothing negative.
 #include <cstdlib>
 #include <string>
+#include <vector>
 
 #include <doctest/doctest.h>
 
 #include "scene/error.hpp"
 #include "scene/files/read_scene.hpp"
 #include "scene/render/render.hpp"
+#include "tests/stability/extreme_maps.hpp"
 #include "tests/stability/extreme_scene.hpp"
 
 using namespace kreda;
@@ -37,7 +39,9 @@ Odd odd_values(const raster::Image& film) {
 TEST_CASE("films: random extreme scenes have neither NaN nor infinity nor negative light") {
     int read = 0, lit = 0;
     std::string refusals;
-    for (int seed = 1; seed <= seeds(); ++seed) {
+    std::vector<int> tried = {1817, 2167, 3939};  // these had negative light: fog that was computed at the vertices
+    for (int seed = 1; seed <= seeds(); ++seed) tried.push_back(seed);
+    for (const int seed : tried) {
         const std::string text = tests::extreme_scene(static_cast<std::uint32_t>(seed));
         scene::Scene scene;
         try {
@@ -49,6 +53,7 @@ TEST_CASE("films: random extreme scenes have neither NaN nor infinity nor negati
             continue;
         }
         ++read;
+        tests::add_extreme_maps(scene, static_cast<std::uint32_t>(seed));
         raster::Image film;
         try {
             film = render(scene);

@@ -1,8 +1,7 @@
 #include "tools/grade/assignment/grade_cache.hpp"
 
-#include <algorithm>
-#include <chrono>
 #include <cstdlib>
+#include <utility>
 #include <vector>
 
 #include <fcntl.h>
@@ -43,12 +42,6 @@ struct FileLock {
     FileLock& operator=(const FileLock&) = delete;
 };
 
-struct CacheEntry {
-    fs::path path;
-    fs::file_time_type used;
-    std::uintmax_t bytes = 0;
-};
-
 std::uintmax_t bytes_in(const fs::path& path) {
     std::error_code error;
     if (!fs::is_directory(path, error)) return fs::is_regular_file(path, error) ? fs::file_size(path, error) : 0;
@@ -58,6 +51,12 @@ std::uintmax_t bytes_in(const fs::path& path) {
         if (i->is_regular_file(gone)) sum += i->file_size(gone);
     }
     return sum;
+}
+
+/// "NAME.NUMBER" is what fill_folder() works in; a process that was killed leaves it.
+bool is_unfinished(const fs::path& path) {
+    const std::string number = path.extension().string();
+    return number.size() > 1 && number.find_first_not_of("0123456789", 1) == std::string::npos;
 }
 
 /// Make the folder under another name, then rename it: nobody sees it half made.
@@ -114,23 +113,15 @@ fs::path cached_folder(const std::string& name, const std::function<void(const f
 }
 
 void trim_cache(const fs::path& cache, std::uintmax_t limit) {
-    std::vector<CacheEntry> entries;
-    std::uintmax_t sum = 0;
+    std::vector<scene::KeptEntry> entries;
     std::error_code error;
     for (fs::directory_iterator i(cache, error), end; !error && i != end; i.increment(error)) {
         std::error_code gone;  // another process may remove it meanwhile
-        const CacheEntry entry{i->path(), fs::last_write_time(i->path(), gone), bytes_in(i->path())};
-        if (gone) continue;
-        sum += entry.bytes;
-        entries.push_back(entry);
+        const fs::path& path = i->path();
+        const scene::KeptEntry entry{path, fs::last_write_time(path, gone), bytes_in(path), is_unfinished(path)};
+        if (!gone) entries.push_back(entry);
     }
-    std::sort(entries.begin(), entries.end(), [](const CacheEntry& a, const CacheEntry& b) { return a.used < b.used; });
-    const fs::file_time_type just_now = fs::file_time_type::clock::now() - std::chrono::hours(1);
-    for (const CacheEntry& entry : entries) {
-        if (sum <= limit || entry.used > just_now) return;
-        fs::remove_all(entry.path, error);
-        sum -= entry.bytes;
-    }
+    scene::remove_oldest(std::move(entries), limit);
 }
 
 }  // namespace kreda::tools

@@ -19,7 +19,7 @@ namespace kreda::tools {
 [[nodiscard]] std::filesystem::path cached_folder(const std::string& name,
                                                   const std::function<void(const std::filesystem::path&)>& fill);
 
-/// Remove what was used longest ago until at most `limit` bytes are left; what was used within an hour stays.
+/// scene::remove_oldest() of what it holds; folders that a process which was killed left half made are unfinished.
 void trim_cache(const std::filesystem::path& cache, std::uintmax_t limit);
 
 }  // namespace kreda::tools
