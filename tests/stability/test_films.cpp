@@ -7,6 +7,7 @@
 #include "scene/error.hpp"
 #include "scene/files/read_scene.hpp"
 #include "scene/render/render.hpp"
+#include "scene/render/threads.hpp"
 #include "tests/stability/extreme_scene.hpp"
 
 using namespace kreda;
@@ -35,6 +36,7 @@ Odd odd_values(const raster::Image& film) {
 }  // namespace
 
 TEST_CASE("films: random extreme scenes have neither NaN nor infinity nor negative light") {
+    const scene::ThreadLimit one_thread(1);
     int read = 0, lit = 0;
     std::string refusals;
     for (int seed = 1; seed <= seeds(); ++seed) {
