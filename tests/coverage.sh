@@ -5,12 +5,12 @@ set -euo pipefail
 cd "$(dirname "${BASH_SOURCE[0]}")/.."
 rooms=("$@")
 (( ${#rooms[@]} )) || rooms=(raster lighting shadows scene)
-tests=()
+tests=() images=()
 for room in "${rooms[@]}"; do tests+=("test_$room"); done
-[[ " ${rooms[*]} " != *" scene "* ]] || tests+=(test_plan test_stability)
+[[ " ${rooms[*]} " != *" scene "* ]] || { tests+=(test_plan test_stability); images=(kreda_images); }
 
 cmake --preset coverage >/dev/null
-cmake --build --preset coverage --target "${tests[@]}" kreda_images
+cmake --build --preset coverage --target "${tests[@]}" ${images[@]+"${images[@]}"}
 find build/coverage -name '*.gcda' -delete
 for test in "${tests[@]}"; do
     # Extremes of random scenes and formulas are other tests' matter: fewer of them run the same lines.

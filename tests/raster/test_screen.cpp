@@ -164,3 +164,31 @@ TEST_CASE("Top-left: the least E that is inside is 0 or 1 in every width of inte
         }
     }
 }
+
+TEST_CASE("Top-left: by hand a square of two triangles covers the centres on its upper and left sides and no others") {
+    // Corners in the centres of samples 0 and 2; the diagonal runs through the centre of sample (1, 1).
+    const auto corner = [](int x, int y) {
+        ScreenVertex v;
+        v.x = x * kSubpixels + kPixelCentre;
+        v.y = y * kSubpixels + kPixelCentre;
+        return v;
+    };
+    const ScreenVertex a = corner(0, 0), b = corner(2, 0), c = corner(2, 2), d = corner(0, 2);
+    for (int y = 0; y <= 2; ++y) {
+        for (int x = 0; x <= 2; ++x) {
+            CAPTURE(x);
+            CAPTURE(y);
+            // Whatever corner comes first, each edge has its own say.
+            const bool upper = covers_sample(a, b, c, x, y), lower = covers_sample(a, c, d, x, y);
+            CHECK(upper == covers_sample(b, c, a, x, y));
+            CHECK(upper == covers_sample(c, a, b, x, y));
+            CHECK(lower == covers_sample(c, d, a, x, y));
+            CHECK(lower == covers_sample(d, a, c, x, y));
+            CHECK(static_cast<int>(upper) + static_cast<int>(lower) == (x < 2 && y < 2 ? 1 : 0));
+        }
+    }
+    CHECK(covers_sample(a, b, c, 1, 0));        // on its top edge
+    CHECK(covers_sample(a, c, d, 0, 1));        // on its left edge
+    CHECK(covers_sample(a, b, c, 1, 1));        // the diagonal goes up to the left: the left edge of the upper triangle
+    CHECK_FALSE(covers_sample(a, c, d, 1, 1));  // and the right one of the lower
+}

@@ -33,6 +33,7 @@ std::vector<float> certain_values(const Axis& axis) {
             if (x >= axis.low && x <= axis.high) values.push_back(x);
         }
     }
+    values.insert(values.end(), axis.outside.begin(), axis.outside.end());
     for (float& x : values) {
         const bool is_subnormal = x != 0.0f && std::fabs(x) < std::numeric_limits<float>::min();
         if (is_subnormal) x = std::copysign(std::numeric_limits<float>::min(), x);
@@ -59,22 +60,6 @@ void try_inputs(const Formula& formula, const Inputs& inputs, SweepResult& resul
         result.error = error;
         result.where = inputs;
     }
-}
-
-std::string with_commas(std::uint64_t number) {
-    std::string digits = std::to_string(number);
-    for (int at = static_cast<int>(digits.size()) - 3; at > 0; at -= 3)
-        digits.insert(static_cast<std::size_t>(at), ",");
-    return digits;
-}
-
-/// Two digits, never less than the number.
-std::string rounded_up(double number) {
-    if (number == 0.0) return "0";
-    const double step = std::pow(10.0, std::floor(std::log10(number)) - 1.0);
-    char text[32];
-    std::snprintf(text, sizeof text, "%.1e", std::ceil(number / step * (1.0 - 1e-9)) * step);
-    return text;
 }
 
 std::string list_of(const Inputs& inputs) {
@@ -131,6 +116,21 @@ SweepResult sweep(const Formula& formula, int random_inputs) {
         try_inputs(formula, inputs, result);
     }
     return result;
+}
+
+std::string with_commas(std::uint64_t number) {
+    std::string digits = std::to_string(number);
+    for (int at = static_cast<int>(digits.size()) - 3; at > 0; at -= 3)
+        digits.insert(static_cast<std::size_t>(at), ",");
+    return digits;
+}
+
+std::string rounded_up(double number) {
+    if (number == 0.0) return "0";
+    const double step = std::pow(10.0, std::floor(std::log10(number)) - 1.0);
+    char text[32];
+    std::snprintf(text, sizeof text, "%.1e", std::ceil(number / step * (1.0 - 1e-9)) * step);
+    return text;
 }
 
 std::string table_row(const Formula& formula, const SweepResult& result) {

@@ -17,6 +17,7 @@ struct Axis {
     float low = 0.0f, high = 1.0f;
     enum class Spread { even, logarithmic } spread = Spread::even;  ///< logarithmic: low > 0
     std::vector<float> edges = {};
+    std::vector<float> outside = {};  ///< of the ends, and tried all the same: 0 where the spread is logarithmic
 };
 
 using Spread = Axis::Spread;
@@ -91,18 +92,28 @@ struct SweepResult {
 /// "| `fresnel_schlick` | c, R_0 in [0, 1] | [0, 1] | 1.1e-07 at 0.25, 0.5 | 120,000 |". The error is rounded up.
 [[nodiscard]] std::string table_row(const Formula& formula, const SweepResult& result);
 
-/// The formulas of each header.
+/// A number of a table with two digits, rounded up; and one with commas.
+[[nodiscard]] std::string rounded_up(double number);
+[[nodiscard]] std::string with_commas(std::uint64_t number);
+
+/// The formulas of each group, in the order of the page.
 [[nodiscard]] std::vector<Formula> formulas_of_fresnel();
-[[nodiscard]] std::vector<Formula> formulas_of_microfacets();
+[[nodiscard]] std::vector<Formula> formulas_of_schlick();
+[[nodiscard]] std::vector<Formula> formulas_of_distributions();
+[[nodiscard]] std::vector<Formula> formulas_of_visibility();
+[[nodiscard]] std::vector<Formula> formulas_of_ward();
 [[nodiscard]] std::vector<Formula> formulas_of_energy();
-[[nodiscard]] std::vector<Formula> formulas_of_lights();
 [[nodiscard]] std::vector<Formula> formulas_of_reflection();
-[[nodiscard]] std::vector<Formula> formulas_of_raster();
-[[nodiscard]] std::vector<Formula> formulas_of_shadows();
-[[nodiscard]] std::vector<Formula> formulas_of_rays();
 [[nodiscard]] std::vector<Formula> formulas_of_models();
+[[nodiscard]] std::vector<Formula> formulas_of_lights();
+[[nodiscard]] std::vector<Formula> formulas_of_film();
 [[nodiscard]] std::vector<Formula> formulas_of_directions();
+[[nodiscard]] std::vector<Formula> formulas_of_bias();
+[[nodiscard]] std::vector<Formula> formulas_of_map_points();
+[[nodiscard]] std::vector<Formula> formulas_of_rays();
 [[nodiscard]] std::vector<Formula> formulas_of_depth();
 [[nodiscard]] std::vector<Formula> formulas_of_textures();
+[[nodiscard]] std::vector<Formula> formulas_of_raster();
+[[nodiscard]] std::vector<Formula> formulas_of_normals();
 
 }  // namespace kreda::tests

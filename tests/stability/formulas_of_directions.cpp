@@ -1,10 +1,9 @@
-// Directions that are made of numbers and of other directions: importance.hpp, normal_map.hpp, the half vector's
-// angles, orthonormal_frame.hpp and light_sample.hpp, in long double.
+// Directions that are made of numbers and of other directions, in long double: importance.hpp, normal_map.hpp,
+// orthonormal_frame.hpp, the half vector's angles.
 #include <algorithm>
 #include <cmath>
 
 #include "lighting/importance.hpp"
-#include "lighting/light_sample.hpp"
 #include "lighting/microfacet.hpp"
 #include "lighting/normal_map.hpp"
 #include "tests/stability/formula_sweep.hpp"
@@ -140,6 +139,16 @@ std::vector<Formula> angles() {
         {"microfacet_angles", "n, l, v unit to 3e-7: n·h", "[0, 1]", 0, 1, false, 3e-7, two,
          [=](const Inputs& x) { return angles_of(x).n_dot_h; },
          [](const Inputs& x) { return std::clamp(exact_half(x).z, Real{0}, Real{1}); }},
+        {"microfacet_angles",
+         "l up to 3e-7 longer or shorter than 1, also 1e-7 below the surface: n·l",
+         "[0, 1]",
+         0,
+         1,
+         false,
+         1e-7,
+         {{-1.0f, 1.0f, Spread::even, {-1e-7f, 0.0f, 1e-8f}}, kTurn, {-3e-7f, 3e-7f, Spread::even, {-1e-7f, 1e-7f}}},
+         [=](const Inputs& x) { return microfacet_angles(up, direction(x[0], x[1]) * (1.0f + x[2]), up).n_dot_l; },
+         [](const Inputs& x) { return std::clamp(Real{x[0] * (1.0f + x[2])}, Real{0}, Real{1}); }},
         {"microfacet_angles", "n, l, v unit to 3e-7: sin² of n and h", "[0, 1]", 0, 1, false, 8e-7, two,
          [=](const Inputs& x) { return angles_of(x).sin2_h; }, exact_sine},
     };
@@ -188,108 +197,46 @@ std::vector<Formula> frames() {
                     {kHeight, kTurn},
                     [](const Inputs& x) { return frame_around(direction(x[0], x[1])).t; },
                     [](const Inputs& x) { return WideFrame(Wide(direction(x[0], x[1]))).t; }}),
-        formula_of(
-            {"to_world",
-             "n, d unit to 3e-7",
-             "[0, 1.000002]",
-             1.000002,
-             false,
-             2e-6,
-             {kHeight, kTurn, kHeight, kTurn},
-             [](const Inputs& x) { return to_world(frame_around(direction(x[0], x[1])), direction(x[2], x[3])); },
-             [](const Inputs& x) {
-                 const WideFrame f(Wide(direction(x[0], x[1])));
-                 const Wide d(direction(x[2], x[3]));
-                 return f.t * d.x + f.b * d.y + f.n * d.z;
-             }}),
-        formula_of(
-            {"to_surface",
-             "n, d unit to 3e-7",
-             "[0, 1.000002]",
-             1.000002,
-             false,
-             2e-6,
-             {kHeight, kTurn, kHeight, kTurn},
-             [](const Inputs& x) { return to_surface(frame_around(direction(x[0], x[1])), direction(x[2], x[3])); },
-             [](const Inputs& x) {
-                 const WideFrame f(Wide(direction(x[0], x[1])));
-                 const Wide d(direction(x[2], x[3]));
-                 return Wide(glm::dot(f.t, d), glm::dot(f.b, d), glm::dot(f.n, d));
-             }}),
     };
 }
 
-/// A lamp of radiance 1 at the origin, 1 / d².
-LightSetup lamp(float cos_inner, float cos_outer) {
-    LightSetup light;
-    light.radiance = glm::vec3(1.0f);
-    light.attenuation = {0.0f, 0.0f, 1.0f};
-    light.axis = {0.0f, 0.0f, -1.0f};
-    light.cos_inner = cos_inner;
-    light.cos_outer = cos_outer;
-    return light;
-}
-
-std::vector<Formula> light_samples() {
-    const Axis far_away{1e-15f, 1e18f, Spread::logarithmic, {1.0f}};
-    const auto place = [](const Inputs& x) { return direction(x[0], x[1]) * x[2]; };
-    const auto exact_weight = [=](const Inputs& x) {
-        const Wide p(place(x));
-        return std::min(1 / glm::dot(p, p), Real{lamp(1.0f, 0.0f).most_weight});
+/// d in the frame around n, and back.
+std::vector<Formula> changes_of_frame() {
+    const auto frame = [](const Inputs& x) { return frame_around(direction(x[0], x[1])); };
+    const auto wide_frame = [](const Inputs& x) { return WideFrame(Wide(direction(x[0], x[1]))); };
+    const auto row = [](const std::string& name, const auto& value, const auto& exact) {
+        return formula_of({name,
+                           "n, d unit to 3e-7",
+                           "[0, 1.000002]",
+                           1.000002,
+                           false,
+                           2e-6,
+                           {kHeight, kTurn, kHeight, kTurn},
+                           value,
+                           exact});
     };
     return {
-        formula_of({"sample_point",
-                    "distance in [1e-15, 1e18]: its l",
-                    "[0, 1.0000004]",
-                    1.0000004,
-                    false,
-                    4e-7,
-                    {kHeight, kTurn, far_away},
-                    [=](const Inputs& x) { return sample_point(lamp(1.0f, 0.0f), place(x)).l; },
-                    [=](const Inputs& x) { return -glm::normalize(Wide(place(x))); }}),
-        {"sample_point",
-         "distance in [1e-15, 1e18], 1 / d²: its irradiance",
-         "[0, 1e18]",
-         0,
-         1.000001e18,
-         true,
-         6e-7,
-         {kHeight, kTurn, far_away},
-         [=](const Inputs& x) { return sample_point(lamp(1.0f, 0.0f), place(x)).irradiance.x; },
-         exact_weight},
-        {"sample_spot",
-         "distance in [0.5, 2], cones of 45° and 90°: its irradiance",
-         "[0, 4]",
-         0,
-         4.00001,
-         false,
-         4e-6,
-         {kHeight, kTurn, {0.5f, 2.0f, Spread::logarithmic, {1.0f}}},
-         [=](const Inputs& x) { return sample_spot(lamp(0.70710678f, 0.0f), place(x)).irradiance.x; },
-         [=](const Inputs& x) {
-             const Real t = std::clamp(-glm::normalize(Wide(place(x))).z / Real{0.70710678f}, Real{0}, Real{1});
-             return exact_weight(x) * t * t * (3 - 2 * t);
-         }},
-        formula_of({"sample_directional",
-                    "axis unit: its l",
-                    "[0, 1.0000004]",
-                    1.0000004,
-                    false,
-                    0,
-                    {kHeight, kTurn},
-                    [](const Inputs& x) {
-                        LightSetup light;
-                        light.axis = direction(x[0], x[1]);
-                        return sample_directional(light).l;
-                    },
-                    [](const Inputs& x) { return -Wide(direction(x[0], x[1])); }}),
+        row(
+            "to_world", [=](const Inputs& x) { return to_world(frame(x), direction(x[2], x[3])); },
+            [=](const Inputs& x) {
+                const WideFrame f = wide_frame(x);
+                const Wide d(direction(x[2], x[3]));
+                return f.t * d.x + f.b * d.y + f.n * d.z;
+            }),
+        row(
+            "to_surface", [=](const Inputs& x) { return to_surface(frame(x), direction(x[2], x[3])); },
+            [=](const Inputs& x) {
+                const WideFrame f = wide_frame(x);
+                const Wide d(direction(x[2], x[3]));
+                return Wide(glm::dot(f.t, d), glm::dot(f.b, d), glm::dot(f.n, d));
+            }),
     };
 }
 
 }  // namespace
 
 std::vector<Formula> formulas_of_directions() {
-    return joined(joined(chosen_directions(), angles()), joined(frames(), light_samples()));
+    return joined(joined(chosen_directions(), angles()), joined(frames(), changes_of_frame()));
 }
 
 }  // namespace kreda::tests

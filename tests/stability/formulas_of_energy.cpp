@@ -23,13 +23,13 @@ std::vector<Formula> formulas_of_energy() {
     const auto average = [](const Inputs& x) { return average_albedo(table, x[0]); };
     return {
         {"directional_albedo",
-         "mu, roughness in [0, 1]",
+         "mu in [-1e-7, 1 + 1e-7], roughness in [0, 1]",
          "[0, 1]",
          0,
          1,
          false,
          0,
-         {kCosine, kRoughness},
+         {{0.0f, 1.0f, Spread::even, {1e-8f, 1e-4f}, {-1e-7f, 1.0000001f}}, kRoughness},
          directional,
          itself(directional)},
         {"average_albedo", "roughness in [0, 1]", "[0, 1]", 0, 1, false, 0, {kRoughness}, average, itself(average)},
@@ -59,6 +59,23 @@ std::vector<Formula> formulas_of_energy() {
              const Real below = 1 - x[0] * (1 - Real{x[1]});
              return Real{x[0]} * x[0] * x[1] / std::max(below, Real(1e-6f));
          }},
+        formula_of({"multiple_scattering_color",
+                    "R_0 in [0, 1], what F_avg exceeds Schlick's by in [-0.04, 0], E_avg in [0.1, 1]: three channels",
+                    "[0, 1.7321]",
+                    1.7321,
+                    false,
+                    5e-6,
+                    {share, {-0.04f, 0.0f, Spread::even, {}}, {0.1f, 1.0f, Spread::even, {}}},
+                    [](const Inputs& x) {
+                        return multiple_scattering_color({x[0], 0.25f, 1.0f}, {x[1], x[1] / 2, x[1] / 4}, x[2]);
+                    },
+                    [](const Inputs& x) {
+                        const auto channel = [&](Real f0, Real shift) {
+                            const Real F = f0 + (1 - f0) / 21 + shift;
+                            return F * F * x[2] / (1 - F * (1 - Real{x[2]}));
+                        };
+                        return Wide(channel(x[0], x[1]), channel(0.25L, x[1] / 2), channel(1, x[1] / 4));
+                    }}),
         {"average_schlick",
          "R_0 in [0, 1]",
          "[0.047, 1]",

@@ -140,6 +140,18 @@ std::vector<Formula> formulas_of_decisions() {
          {place, place},
          [=](const Inputs& x) { return cuts(light_ray(light, point(x)), triangle) ? 1.0 : 0.0; },
          exact_cut},
+        {"cuts",
+         "the same rays, the triangle turned round",
+         "0 or 1",
+         0,
+         1,
+         false,
+         0,
+         {place, place},
+         [=](const Inputs& x) {
+             return cuts(light_ray(light, point(x)), {triangle.a, triangle.c, triangle.b}) ? 1.0 : 0.0;
+         },
+         exact_cut},
         {"separates",
          "points on both sides of a triangle's plane",
          "0 or 1",

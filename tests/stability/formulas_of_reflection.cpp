@@ -52,13 +52,13 @@ std::vector<Formula> formulas_of_reflection() {
          [](const Inputs& x) { return sigma_phong(direction(x[0], x[1]), direction(x[0], x[1])); },
          [](const Inputs&) { return Real{1}; }},
         {"highlight_of",
-         "Sigma in [0, 1], shininess in [0.001, 1e9]",
+         "Sigma in [0, 1], shininess in [0, 1e9]",
          "[0, 1]",
          0,
          1,
          false,
          1e-6,
-         {sigma, {1e-3f, 1e9f, Spread::logarithmic, {1.0f, 64.0f, 1e3f}}},
+         {sigma, {1e-3f, 1e9f, Spread::logarithmic, {1.0f, 64.0f, 1e3f, 1e6f}, {0.0f}}},
          [](const Inputs& x) {
              PhongMaterial m;
              m.shininess = x[1];

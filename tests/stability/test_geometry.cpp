@@ -13,6 +13,7 @@
 
 #include "scene/files/read_scene.hpp"
 #include "scene/render/render.hpp"
+#include "scene/render/threads.hpp"
 
 using namespace kreda;
 
@@ -96,6 +97,7 @@ struct GeometryRow {
 
 /// The rows of the page's table: each is compared with the same picture at scale 1.
 void check_row(const GeometryRow& row, const Extreme& plain) {
+    const scene::ThreadLimit one_thread(1);  // waking another costs more than drawing so small a picture
     int worst = 0, drawn = 0;
     std::string where = "all";
     for (const Setting& setting : settings()) {
