@@ -113,8 +113,9 @@ def check_files(browser):
     drop(browser, a_toml=MESH_SCENE, a_obj=MESH)
     assert browser.wait("kreda.page.path === 'a.toml' && kreda.page.scene"), message(browser)
     film = browser.value(AT_REST)
+    turn_control(browser, "material.0.shininess", 3)  # a file that is some milliseconds old is read once more
+    browser.value(AT_REST)
     reads = browser.value("kreda.engine.call('reads').then((r) => r.reads)")
-    turn_control(browser, "material.0.shininess", 3)
     turn_control(browser, "light.0.intensity", 0.25)
     assert browser.wait(f"{AT_REST}.then(h => h !== '{film}')", 20), "a control was turned and the picture stayed"
     assert browser.value("kreda.engine.call('reads').then((r) => r.reads)") == reads, "a key changed, and the mesh was read again"

@@ -133,7 +133,8 @@ void explain_shading_rate(const scene::RenderPlan& plan, int x, int y, const Sam
 
 Explanation explain_in(const Frame& frame, const PixelRequest& request) {
     const int n = frame.plan.samples;
-    const raster::TileArea area = area_of_tile(frame, tile_with(frame.buffers.triangles.grid, request.x * n, request.y * n));
+    const raster::TileArea area =
+        area_of_tile(frame, tile_with(frame.buffers.triangles.grid, request.x * n, request.y * n));
     const auto points = shading_points_of(frame, area);
     std::vector<SampleFacts> samples;
     for (int j = 0; j < n; ++j) {
