@@ -34,7 +34,7 @@ tr.wrong td { color: var(--bad); font-weight: 600; }
 .pair img { image-rendering: pixelated; border-radius: 7px; }
 .again { font-size: .9rem; color: var(--soft); }
 summary { cursor: pointer; padding: .3rem 0; }
-.bars { display: grid; grid-template-columns: max-content 1fr; gap: .25rem .8rem; align-items: center; }
+.bars { display: grid; grid-template-columns: minmax(0, max-content) minmax(5rem, 1fr); gap: .25rem .8rem; align-items: center; }
 .bars i { display: block; height: 1.15rem; min-width: 2px; background: var(--accent); border-radius: 3px; }
 .bars div { display: flex; gap: .5rem; align-items: center; }
 .bars span { white-space: nowrap; font-variant-numeric: tabular-nums; }

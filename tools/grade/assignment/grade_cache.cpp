@@ -101,7 +101,8 @@ std::uintmax_t grade_cache_limit() {
 }
 
 fs::path cached_folder(const std::string& name, const std::function<void(const fs::path&)>& fill) {
-    const fs::path cache = grade_cache(), folder = cache / name;
+    const fs::path cache = grade_cache();
+    fs::path folder = cache / name;
     const FileLock lock(cache / (name + ".lock"));
     std::error_code error;
     if (!fs::exists(folder)) {
