@@ -37,7 +37,8 @@ summary { cursor: pointer; padding: .3rem 0; }
 .bars { display: grid; grid-template-columns: minmax(0, max-content) minmax(5rem, 1fr); gap: .25rem .8rem; align-items: center; }
 .bars i { display: block; height: 1.15rem; min-width: 2px; background: var(--accent); border-radius: 3px; }
 .bars div { display: flex; gap: .5rem; align-items: center; }
-.bars span { white-space: nowrap; font-variant-numeric: tabular-nums; }
+.bars span { font-variant-numeric: tabular-nums; }
+.bars div span { white-space: nowrap; }
 )css";
 
 }  // namespace kreda::tools
