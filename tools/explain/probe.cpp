@@ -103,6 +103,15 @@ void find_absent(const scene::RenderPlan& plan, const scene::RenderBuffers& buff
     }
 }
 
+/// Triangle `t` of chunk `c`, where it covers the sample.
+void add_cover(const VertexStreams& streams, const raster::TriangleSet& set, std::size_t c, std::uint32_t t, int x,
+               int y, std::vector<Cover>& covers) {
+    const ScreenTriangle& triangle = set.chunks[c].triangles[t];
+    const auto v = corners_of(streams, triangle);
+    if (!covers_sample(*v[0], *v[1], *v[2], x, y)) return;
+    covers.push_back({raster::triangle_id(c, t), triangle, edges_at(streams, triangle, x, y), depth_over(v, x, y)});
+}
+
 }  // namespace
 
 SourceTriangle find_source(const std::vector<raster::MeshInstance>& instances, std::uint32_t source) {
@@ -137,11 +146,7 @@ std::vector<Cover> triangles_over(const VertexStreams& streams, const raster::Tr
     for (std::size_t c = 0; c < set.chunks.size(); ++c) {
         const raster::TriangleChunk& chunk = set.chunks[c];
         for (std::uint32_t e = chunk.tile_begin[tile]; e < chunk.tile_begin[tile + 1]; ++e) {
-            const ScreenTriangle& triangle = chunk.triangles[chunk.tile_entries[e]];
-            const auto v = corners_of(streams, triangle);
-            if (!covers_sample(*v[0], *v[1], *v[2], x, y)) continue;
-            covers.push_back({raster::triangle_id(c, chunk.tile_entries[e]), triangle,
-                              edges_at(streams, triangle, x, y), depth_over(v, x, y)});
+            add_cover(streams, set, c, chunk.tile_entries[e], x, y, covers);
         }
     }
     return covers;
@@ -152,15 +157,12 @@ std::vector<std::vector<Cover>> triangles_over_all(const VertexStreams& streams,
     std::vector<std::vector<Cover>> covers(static_cast<std::size_t>(width) * static_cast<std::size_t>(height));
     for (std::size_t c = 0; c < set.chunks.size(); ++c) {
         const auto& triangles = set.chunks[c].triangles;
-        for (std::size_t t = 0; t < triangles.size(); ++t) {
+        for (std::uint32_t t = 0; t < triangles.size(); ++t) {
             const auto v = corners_of(streams, triangles[t]);
             const raster::SampleBox box = raster::sample_box(*v[0], *v[1], *v[2], width, height);
             for (int y = box.y_first; y <= box.y_last; ++y) {
                 for (int x = box.x_first; x <= box.x_last; ++x) {
-                    if (!covers_sample(*v[0], *v[1], *v[2], x, y)) continue;
-                    covers[static_cast<std::size_t>(y) * static_cast<std::size_t>(width) + static_cast<std::size_t>(x)]
-                        .push_back({raster::triangle_id(c, static_cast<std::uint32_t>(t)), triangles[t],
-                                    edges_at(streams, triangles[t], x, y), depth_over(v, x, y)});
+                    add_cover(streams, set, c, t, x, y, covers[static_cast<std::size_t>(y * width + x)]);
                 }
             }
         }
