@@ -11,7 +11,25 @@ def high(descriptor):
     return fcntl.fcntl(descriptor, fcntl.F_DUPFD, 10)
 
 
-class Browser:
+class Program:
+    """What a browser's program does for whoever can ask it for a `value`."""
+
+    def wait(self, expression, seconds=90):
+        """Until the expression is true; its value, or None."""
+        end = time.monotonic() + seconds
+        while time.monotonic() < end:
+            found = self.value(expression)
+            if found:
+                return found
+            time.sleep(0.1)
+        return None
+
+    def close(self):
+        self.process.terminate()
+        self.process.wait()
+
+
+class Browser(Program):
     def __init__(self, chromium, profile):
         (to_read, to_write), (from_read, from_write) = os.pipe(), os.pipe()
         ends = [high(to_read), high(from_write)]
@@ -56,17 +74,3 @@ class Browser:
         """Of an expression of JavaScript in the page; promises are waited for."""
         answer = self.ask("Runtime.evaluate", self.session, expression=expression, awaitPromise=True, returnByValue=True)
         return answer["result"].get("value")
-
-    def wait(self, expression, seconds=90):
-        """Until the expression is true; its value, or None."""
-        end = time.monotonic() + seconds
-        while time.monotonic() < end:
-            found = self.value(expression)
-            if found:
-                return found
-            time.sleep(0.1)
-        return None
-
-    def close(self):
-        self.process.terminate()
-        self.process.wait()

@@ -4,6 +4,8 @@ import socket
 import subprocess
 import time
 
+from browser import Program
+
 
 def free_port():
     with socket.socket() as some:
@@ -11,7 +13,7 @@ def free_port():
         return some.getsockname()[1]
 
 
-class Firefox:
+class Firefox(Program):
     def __init__(self, firefox, profile):
         profile.mkdir(parents=True, exist_ok=True)
         port = free_port()
@@ -67,23 +69,9 @@ class Firefox:
         script = f"const done = arguments[0]; Promise.resolve(window.eval({json.dumps(expression)})).then(v => done(v ?? null), e => done(String(e)))"
         return self.ask("WebDriver:ExecuteAsyncScript", script=script, args=[], newSandbox=False, sandbox=None)["value"]
 
-    def wait(self, expression, seconds=90):
-        """Until the expression is true; its value, or None."""
-        end = time.monotonic() + seconds
-        while time.monotonic() < end:
-            found = self.value(expression)
-            if found:
-                return found
-            time.sleep(0.1)
-        return None
-
     def size(self, width, height):
         self.ask("WebDriver:SetWindowRect", width=width, height=height)
 
     def screenshot(self):
         """Base 64 of a PNG."""
         return self.ask("WebDriver:TakeScreenshot", full=False)["value"]
-
-    def close(self):
-        self.process.terminate()
-        self.process.wait()
