@@ -58,8 +58,13 @@ function(kreda_room room)
   endif()
 endfunction()
 
-# Text, command lines and JSON take long to compile and no time to run: such a target of the release build is compiled
-# for the compiler's sake. Its formulas have the same bits.
+# kreda_optimize(TARGET -O1): the release build compiles the target at this level, not at the preset's. Its formulas have
+# the same bits.
+function(kreda_optimize target level)
+  target_compile_options(${target} PRIVATE "$<$<CONFIG:Release>:${level}>")
+endfunction()
+
+# Text, command lines and JSON take long to compile and no time to run: such a target is compiled for the compiler's sake.
 function(kreda_compile_lightly target)
-  target_compile_options(${target} PRIVATE "$<$<CONFIG:Release>:-Og>")
+  kreda_optimize(${target} -Og)
 endfunction()
