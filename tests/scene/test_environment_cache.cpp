@@ -73,7 +73,9 @@ std::vector<std::string> map_files(const std::string& folder) {
     return files;
 }
 
+/// The old file is removed first: a file system may wait for the disk when one is cut to nothing and written again.
 void overwrite(const std::string& file, const std::string& bytes) {
+    std::filesystem::remove(file);
     std::ofstream(file, std::ios::binary) << bytes;
 }
 

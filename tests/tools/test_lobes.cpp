@@ -83,6 +83,15 @@ TEST_CASE("lobes: physical models do not care which direction is the lamp's") {
     }
 }
 
+TEST_CASE("brdf command: without gnuplot it writes the numbers and says what is missing") {
+    const TempFolder folder;
+    const Outcome outcome =
+        run_program("/usr/bin/env", {"PATH=/nowhere", KREDA_PROGRAM, "brdf", "ggx", "-o", "out"}, folder.path.string());
+    CHECK(outcome.exit_code == 0);
+    CHECK(outcome.err.find("no figures, the numbers alone: gnuplot is not installed") != std::string::npos);
+    CHECK(names_in(folder.file("out")) == std::vector<std::string>{"ggx.csv", "reflectance.csv"});
+}
+
 TEST_CASE("brdf command: writes numbers and a figure") {
     const TempFolder folder;
     const Outcome outcome = run_kreda({"brdf", "lambert", "-o", "out"}, folder.path.string());

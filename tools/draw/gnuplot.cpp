@@ -8,8 +8,12 @@
 #include <sstream>
 #include <system_error>
 
+#include <unistd.h>
+
 #include "tools/draw/markup.hpp"
 #include "tools/draw/plot_style.hpp"
+#include "tools/shell_quotes.hpp"
+#include "tools/write_file.hpp"
 
 namespace kreda::tools {
 
@@ -135,10 +139,15 @@ bool has_gnuplot() {
 }
 
 bool run_gnuplot(const std::string& script) {
-    std::FILE* pipe = popen("gnuplot >/dev/null 2>&1", "w");
-    if (!pipe) return false;
-    const bool written = std::fwrite(script.data(), 1, script.size(), pipe) == script.size();
-    return pclose(pipe) == 0 && written;
+    std::string path = (std::filesystem::temp_directory_path() / "kreda-plot-XXXXXX").string();
+    const int file = mkstemp(path.data());
+    if (file < 0) return false;
+    close(file);
+    write_file(path, script);  // not through a pipe: writing to a gnuplot that is absent would end this process
+    const bool drawn = std::system(("gnuplot " + in_shell_quotes(path) + " >/dev/null 2>&1").c_str()) == 0;
+    std::error_code ignored;
+    std::filesystem::remove(path, ignored);
+    return drawn;
 }
 
 std::string enhanced_text(const std::string& markup) {
