@@ -1,6 +1,7 @@
 """Live figures: a lesson whose folder has a live.toml gets that scene as a page of `kreda view`, loaded when it is seen."""
 import html
 import re
+import shutil
 import subprocess
 from concurrent.futures import ThreadPoolExecutor
 
@@ -31,6 +32,18 @@ def share_module(page):
     page.write_text(text.replace("script-src 'unsafe-inline'", "script-src 'self' file: 'unsafe-inline'", 1), encoding="utf-8")
 
 
+def share_threads(root, page):
+    """Where the module with threads was built (./course docs --serve), the page may load it from its server: docs/site/serve.py."""
+    built = root / "build/web-threads/bin"
+    if not (built / "kreda_web.worker.js").exists():
+        return
+    (page.parent / "threads").mkdir(exist_ok=True)
+    for name in ("kreda_web.js", "kreda_web.wasm", "kreda_web.worker.js"):
+        shutil.copy2(built / name, page.parent / "threads" / name)
+    text = page.read_text(encoding="utf-8").replace('<html lang="en">', '<html lang="en" data-threads="threads/">', 1)
+    page.write_text(text.replace("worker-src blob:", "worker-src blob: 'self'; connect-src 'self'", 1), encoding="utf-8")
+
+
 def write(root, folder, kreda):
     """Pages live/NN.html; {number: page}. None where kreda has no page to put a scene in: the pictures stay."""
     def one(item):
@@ -48,6 +61,7 @@ def write(root, folder, kreda):
         print("note: ./course view builds what live figures need; this site has pictures alone")
     for page in filter(None, made.values()):
         share_module(folder / page)
+        share_threads(root, folder / page)
     return {number: page for number, page in made.items() if page}
 
 

@@ -16,16 +16,29 @@ endforeach()
 add_library(glm_headers INTERFACE)
 target_include_directories(glm_headers SYSTEM INTERFACE ${web_headers})
 
-# One thread; 128-bit lanes; exceptions as the browser has them.
+# One thread unless asked for more; 128-bit lanes; exceptions as the browser has them.
 target_compile_options(kreda_flags INTERFACE -msimd128 -fwasm-exceptions -Wno-unknown-pragmas -Wno-unused-variable
   "SHELL:-include ${PROJECT_SOURCE_DIR}/tools/view/web_std.hpp")
 target_compile_definitions(kreda_flags INTERFACE TOML_HEADER_ONLY=1 TOML_ENABLE_FORMATTERS=0)
 target_link_options(kreda_flags INTERFACE -fwasm-exceptions -sALLOW_MEMORY_GROWTH=1 -sMAXIMUM_MEMORY=2GB)
 
+# The preset `web-threads`: the same module in as many threads as there are cores, for pages from a server that sends the
+# two headers which browsers ask for before threads may share memory (docs/site/serve.py).
+if(KREDA_WEB_THREADS)
+  target_compile_options(kreda_flags INTERFACE -pthread -fopenmp)
+  target_include_directories(kreda_flags INTERFACE ${PROJECT_SOURCE_DIR}/tools/view/openmp)
+  target_link_options(kreda_flags INTERFACE -pthread "-sPTHREAD_POOL_SIZE='(Module.threads||7)-1'" -Wno-pthreads-mem-growth)
+endif()
+
 # emcc's own scripts look for Debian's packages, which another node than Debian's does not find.
 set_property(GLOBAL PROPERTY RULE_LAUNCH_LINK "${CMAKE_COMMAND} -E env NODE_PATH=/usr/share/nodejs")
 
 kreda_room(raster PUBLIC glm_headers)
+if(KREDA_WEB_THREADS)
+  add_library(kreda_openmp STATIC ${PROJECT_SOURCE_DIR}/tools/view/openmp/openmp.cpp)
+  target_link_libraries(kreda_openmp PUBLIC kreda_flags)
+  target_link_libraries(kreda_raster PUBLIC kreda_openmp)
+endif()
 kreda_room(lighting PUBLIC kreda_raster)
 kreda_room(shadows PUBLIC kreda_raster)
 kreda_room(scene PUBLIC kreda_lighting kreda_shadows)
@@ -101,5 +114,5 @@ target_link_options(grade_web PRIVATE --no-entry -sMODULARIZE=1 -sEXPORT_NAME=ma
 
 # A program for node, not built unless a test asks: `node hash_scenes.js`.
 add_executable(hash_scenes EXCLUDE_FROM_ALL ${PROJECT_SOURCE_DIR}/tests/variants/hash_scenes.cpp)
-target_link_options(hash_scenes PRIVATE -O1 -sENVIRONMENT=node -sSINGLE_FILE=1)
+target_link_options(hash_scenes PRIVATE -O1 -sENVIRONMENT=node -sSINGLE_FILE=1 -sEXIT_RUNTIME=1)
 target_link_libraries(hash_scenes PRIVATE kreda_scene)

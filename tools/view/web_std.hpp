@@ -32,19 +32,23 @@ struct web_identity {
     }
 };
 
-/// The module has one thread.
+/// Always the strictest order; with one thread plain loads and stores are made of it.
 template <class T>
 class atomic_ref {
 public:
     explicit atomic_ref(T& value) : value_(value) {}
     T load(memory_order = memory_order_seq_cst) const {
-        return value_;
+        T loaded;
+        __atomic_load(&value_, &loaded, __ATOMIC_SEQ_CST);
+        return loaded;
     }
     void store(T value, memory_order = memory_order_seq_cst) const {
-        value_ = value;
+        __atomic_store(&value_, &value, __ATOMIC_SEQ_CST);
     }
     T exchange(T value, memory_order = memory_order_seq_cst) const {
-        return std::exchange(value_, value);
+        T before;
+        __atomic_exchange(&value_, &value, &before, __ATOMIC_SEQ_CST);
+        return before;
     }
 
 private:

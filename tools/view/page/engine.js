@@ -1,6 +1,15 @@
 // The module in its worker: calls wait their turn; after a crash a new worker takes over with the same files.
 import { unpackLzma } from './lzma.js';
 
+/**
+ * The address of the module that uses all cores, where the page says that one lies beside it (data-threads) and its
+ * server sends the headers without which browsers share no memory between threads; else nothing.
+ */
+function moduleWithThreads() {
+  const { threads } = document.documentElement.dataset;
+  return threads && self.crossOriginIsolated ? new URL(threads, document.baseURI).href : '';
+}
+
 export class Engine {
   /** `source`: of the worker, a string. `told`: hears one line when something went wrong. */
   constructor(source, glue, wasm, told) {
@@ -8,6 +17,8 @@ export class Engine {
     this.glue = glue;
     this.wasm = wasm;
     this.told = told;
+    this.several = moduleWithThreads();
+    this.threads = 1;
     this.files = {};
     this.folder = '';
     this.last = 0;
@@ -19,7 +30,8 @@ export class Engine {
     this.worker = new Worker(address);
     this.worker.onmessage = ({ data }) => this.hear(data);
     this.worker.onerror = (event) => this.crashed(event.message);
-    const { keys } = await this.call('start', this.glue, this.wasm);
+    const { keys, threads } = await this.call('start', this.glue, this.wasm, this.several);
+    this.threads = threads;
     await this.call('write', this.files, this.folder);
     return keys;
   }

@@ -122,7 +122,8 @@ function showNumbers({ ms, whole_ms: whole, width, height }) {
   frames.push(now);
   while (frames.length > 1 && now - frames[0] > 1000) frames.shift();
   const rate = frames.length > 3 ? `${((frames.length - 1) * 1000 / (now - frames[0])).toFixed(0)} frames a second, ` : '';
-  $('numbers').textContent = `${rate}${ms.toFixed(1)} ms the passes, ${whole.toFixed(1)} ms with the way to the screen, ${width} × ${height}`;
+  const threads = engine.threads > 1 ? `, ${engine.threads} threads` : '';
+  $('numbers').textContent = `${rate}${ms.toFixed(1)} ms the passes, ${whole.toFixed(1)} ms with the way to the screen, ${width} × ${height}${threads}`;
 }
 
 function touched() {

@@ -21,10 +21,19 @@ function ask(name, ...values) {
 }
 
 const work = {
-  async start(glue, wasmBinary) {
-    if (glue) (0, eval)(`${glue};self.makeKreda = makeKreda;`);
-    kreda = await self.makeKreda({ wasmBinary, print: () => {}, printErr: () => {} });
-    return { keys: ask('keys') };
+  /** `threads`: the address of the folder with the module that uses all cores; empty: the one that the page holds. */
+  async start(glue, wasmBinary, threads) {
+    const quiet = { print: () => {}, printErr: () => {} };
+    if (threads) {
+      const mainScriptUrlOrBlob = `${threads}kreda_web.js`;
+      importScripts(mainScriptUrlOrBlob);
+      const several = { threads: navigator.hardwareConcurrency, mainScriptUrlOrBlob, locateFile: (name) => threads + name };
+      kreda = await self.makeKreda({ ...quiet, ...several });
+    } else {
+      if (glue) (0, eval)(`${glue};self.makeKreda = makeKreda;`);
+      kreda = await self.makeKreda({ ...quiet, wasmBinary });
+    }
+    return { keys: ask('keys'), threads: threads ? navigator.hardwareConcurrency : 1 };
   },
   write(files, folder) {
     writeFiles(files, folder);

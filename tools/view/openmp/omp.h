@@ -1,0 +1,8 @@
+// What Kreda calls of OpenMP's library, for the module with threads (openmp.cpp beside this file).
+#pragma once
+
+extern "C" {
+int omp_get_max_threads();
+int omp_get_thread_num();
+void omp_set_num_threads(int threads);
+}
