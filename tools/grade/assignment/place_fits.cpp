@@ -24,15 +24,6 @@ bool calls(const Fits& fits, std::size_t i, std::size_t k) {
     return std::find(stage.calls.begin(), stage.calls.end(), other.name) != stage.calls.end();
 }
 
-/// Is the function of table i wrong although all that it calls is right?
-bool is_wrong_by_itself(const Fits& fits, std::size_t i) {
-    if (!fits.wrong[i]) return false;
-    for (std::size_t k = 0; k < fits.wrong.size(); ++k) {
-        if (fits.wrong[k] && calls(fits, i, k)) return false;
-    }
-    return true;
-}
-
 /// One component of one result of a function, over the tables of all scenes: how many numbers the submission has
 /// wrong, and one way to make a mistake; in how many they are wrong alike; and in how many the submission's is what the
 /// way gave for the number before, as happens where there are only a few different numbers.
@@ -95,17 +86,28 @@ std::map<Component, WayCounts> counts_of(const Fits& fits, std::size_t mistake) 
 
 }  // namespace
 
+bool is_wrong_by_itself(const Fits& fits, std::size_t i) {
+    if (!fits.wrong[i]) return false;
+    for (std::size_t k = 0; k < fits.wrong.size(); ++k) {
+        if (fits.wrong[k] && calls(fits, i, k)) return false;
+    }
+    return true;
+}
+
 std::vector<PlaceFit> place_fits(const Fits& fits) {
     std::vector<PlaceFit> found;
     for (std::size_t m = 0; m < fits.catalogue.mistakes.size(); ++m) {
-        PlaceFit fit{m, 0.0, 0.0, 0.0};
+        PlaceFit fit{m};
         double wrong = 0.0, alike = 0.0, spoilt = 0.0;
         for (const auto& [component, ways] : counts_of(fits, m)) {
             const auto best = std::max_element(
                 ways.begin(), ways.end(), [](const auto& a, const auto& b) { return a.second.alike < b.second.alike; });
             const Counts& c = best->second;
             wrong += c.wrong;
-            if (c.alike <= 0.0) continue;
+            fit.of_picture = fit.of_picture || component.stage->picture;
+            // Many mistakes leave a surface unlit: what stays the same from pixel to pixel is no evidence.
+            const bool is_flat = component.stage->picture && c.by_chance > 0.5 * c.alike;
+            if (c.alike <= 0.0 || is_flat) continue;
             alike += c.alike;
             spoilt += c.spoilt;
             const double chance = c.spoilt / c.all * (c.by_chance + 1.0) / (c.wrong + 1.0);
