@@ -81,13 +81,14 @@ void check_tallies(const Tallies& t) {
     CHECK(t.other.percent() >= 95.0);
 }
 
-/// A set in tests/grading: a file of mistakes for each assignment, made in the catalogue's solution or in the set's
-/// own.
+/// A set in tests/grading: a file of mistakes for each assignment, made in the solutions of a folder there, or where
+/// none is named in the catalogue's.
 struct Set {
     const char* name;
-    bool has_solutions;
+    const char* solutions;
 };
-constexpr Set kSets[] = {{"unseen", false}, {"fresh", true}, {"third", true}, {"fourth", true}, {"fifth", true}};
+constexpr Set kSets[] = {
+    {"unseen", ""}, {"fresh", "fresh"}, {"third", "third"}, {"fourth", "fourth"}, {"fifth", "fifth"}};
 
 /// The catalogue as it would be without one way to make a mistake.
 tools::Catalogue without(const tools::Catalogue& all, std::size_t mistake, std::size_t way) {
@@ -105,9 +106,10 @@ tools::Catalogue without(const tools::Catalogue& all, std::size_t mistake, std::
 
 void diagnose_set(const Set& set, const std::string& folder, Tallies& tallies) {
     const Lab& l = lab(folder);
-    const std::string path = kTests + set.name + "/" + folder.substr(0, 2);
-    const std::string solution = set.has_solutions ? tools::read_text(path + ".cpp") : tools::read_solution(l.rubric);
-    diagnose_all(l, solution, path + ".toml", tallies);
+    const std::string number = "/" + folder.substr(0, 2), solutions = set.solutions;
+    const std::string solution =
+        solutions.empty() ? tools::read_solution(l.rubric) : tools::read_text(kTests + solutions + number + ".cpp");
+    diagnose_all(l, solution, kTests + set.name + number + ".toml", tallies);
 }
 
 }  // namespace
