@@ -65,7 +65,10 @@ double points_of(const tools::Rubric& rubric, const tools::CaseSet& cases, const
 void check_stub(const std::string& folder) {
     CAPTURE(folder);
     const tools::Rubric rubric = rubric_of(folder);
-    const tools::CaseSet cases = tools::make_cases(rubric, {});
+    const tools::BoxFolder hidden;
+    (void)tools::write_hidden_scenes(rubric, 23, hidden.path() / "scenes");
+    const tools::CaseSet cases = tools::make_cases(rubric, {hidden.path() / "scenes"});
+    CHECK(cases.scenes.size() == 2 * rubric.scenes.size());
     const std::string text = tools::read_text((kAssignments / folder / "student.cpp").string());
     CHECK(points_of(rubric, cases, tools::answers_of_variants(rubric, cases, {{{}, {}, text}})) == 0.0);
 }

@@ -98,6 +98,17 @@ TEST_CASE("class: counts of a small class by hand") {
           "a,0,4,0,0,unknown,none,\r\nb,2,4,2,0,affine,none,\r\nc,2,4,2,0,affine,none,\r\nd,4,4,2,2,,none,\r\n");
 }
 
+TEST_CASE("class: a mistake is counted once, equal or alike; the page says only where it is alike") {
+    const std::vector<GradeResult> some = {result_of("a", 1.0, "looks exactly like: affine (page 13)\nmore"),
+                                           result_of("b", 1.0, "looks like: affine (page 13)"),
+                                           result_of("c", 1.0, "unknown")};
+    CHECK(diagnoses(some) == Counts{{"affine (page 13)", 2}, {"unknown", 1}});
+    const std::string page = class_html(some, {});
+    CHECK(page.find("exactly like") == std::string::npos);
+    CHECK(page.find("<td>looks like: affine (page 13)</td>") != std::string::npos);
+    CHECK(page.find("<td>affine (page 13)</td>") != std::string::npos);
+}
+
 TEST_CASE("class: a field of the CSV is neither a formula nor several fields") {
     std::vector<GradeResult> one = {result_of("=cmd|' /C calc'!A0", 1.0, "a, \"b\"\nc")};
     const std::string csv = class_csv(one);

@@ -81,19 +81,35 @@ void check_tallies(const Tallies& t) {
     CHECK(t.other.percent() >= 95.0);
 }
 
-/// A set in tests/grading: a file of mistakes for each assignment, made in the catalogue's solution or in the set's
-/// own.
+/// A set in tests/grading: a file of mistakes for each assignment, made in the solutions of a folder there, or where
+/// none is named in the catalogue's.
 struct Set {
     const char* name;
-    bool has_solutions;
+    const char* solutions;
 };
-constexpr Set kSets[] = {{"unseen", false}, {"fresh", true}, {"third", true}, {"fourth", true}};
+constexpr Set kSets[] = {
+    {"unseen", ""}, {"fresh", "fresh"}, {"third", "third"}, {"fourth", "fourth"}, {"fifth", "fifth"}};
+
+/// The catalogue as it would be without one way to make a mistake.
+tools::Catalogue without(const tools::Catalogue& all, std::size_t mistake, std::size_t way) {
+    tools::Catalogue left{all.mistakes, {}, {all.answers.tables, {}}};
+    for (std::size_t k = 0; k < all.variants.size(); ++k) {
+        const tools::Variant& v = all.variants[k];
+        bool has = false;
+        for (std::size_t j = 0; j < v.ways.size(); ++j) has = has || (v.mistakes[j] == mistake && v.ways[j] == way);
+        if (has) continue;
+        left.variants.push_back(v);
+        left.answers.number.push_back(all.answers.number[k]);
+    }
+    return left;
+}
 
 void diagnose_set(const Set& set, const std::string& folder, Tallies& tallies) {
     const Lab& l = lab(folder);
-    const std::string path = kTests + set.name + "/" + folder.substr(0, 2);
-    const std::string solution = set.has_solutions ? tools::read_text(path + ".cpp") : tools::read_solution(l.rubric);
-    diagnose_all(l, solution, path + ".toml", tallies);
+    const std::string number = "/" + folder.substr(0, 2), solutions = set.solutions;
+    const std::string solution =
+        solutions.empty() ? tools::read_solution(l.rubric) : tools::read_text(kTests + solutions + number + ".cpp");
+    diagnose_all(l, solution, kTests + set.name + number + ".toml", tallies);
 }
 
 }  // namespace
@@ -131,12 +147,41 @@ TEST_CASE("a mistake's free number makes a family, whose ends make pairs; each c
     texts.clear();
     for (const tools::Variant& v : tools::make_variants("one two", parts, true)) texts.push_back(v.text);
     CHECK(texts == std::vector<std::string>{"one two", "1 2", "one 2", "1 two", "1 two"});  // the last is b
+    const std::vector<tools::Mistake> both =
+        read("from = [\"one\", \"two\"]\nto = [\"$\", \"$\"]\nvalues = [3, 4]\nparts = true\n");
+    texts.clear();
+    for (const tools::Way& way : both[0].ways) {
+        std::string text = "one two";
+        CHECK(tools::apply(way.changes, text));
+        texts.push_back(text + " " + std::to_string(way.family));
+    }
+    CHECK(texts == std::vector<std::string>{"3.0f 3.0f 0", "4.0f 4.0f 0", "one 3.0f 1", "one 4.0f 1", "3.0f two 2",
+                                            "4.0f two 2"});
     CHECK(complaint("from = \"two\"\nto = \"2\"\nparts = true\n").find("two to four") != std::string::npos);
+    CHECK(complaint("from = [\"one\", \"two\"]\nto = [\"1\", \"$\"]\nvalues = [1]\nparts = true\n")
+              .find("for each of them") != std::string::npos);
     CHECK(complaint("from = \"two\"\nto = \"$\"\n").find("m.toml:6:6: 'to' in [[mistake]]: expected '$'") !=
           std::string::npos);
     CHECK(complaint("from = \"two\"\nto = \"2\"\nvalues = [1]\n").find("expected '$'") != std::string::npos);
     CHECK(complaint("from = \"two\"\nto = \"$\"\nvalues = [2, 1]\n").find("increasing") != std::string::npos);
     CHECK(complaint("from = \"two\"\nto = \"$\"\nvalues = [\"2\"]\n").find("expected numbers") != std::string::npos);
+}
+
+// What lies outside of the map is dark on one side or two: no other way has all these numbers and no more.
+TEST_CASE("a mistake made in some of its places is named, though no way of the catalogue is that one") {
+    const Lab& l = lab("A7_shadow_map");
+    int tried = 0;
+    for (std::size_t k = 0; k < l.catalogue.variants.size(); ++k) {
+        const tools::Variant& v = l.catalogue.variants[k];
+        if (names(l, v.mistakes) != "outside_dark") continue;
+        CAPTURE(v.ways[0]);
+        if (v.ways[0] == 0) continue;  // that is all sides
+        const tools::Diagnosis d = tools::diagnose(marking(l, k), without(l.catalogue, v.mistakes[0], v.ways[0]));
+        CHECK(expected_name(d, l) == "outside_dark");
+        CHECK((d.kind == tools::Diagnosis::Kind::nearly));
+        ++tried;
+    }
+    CHECK(tried == 8);
 }
 
 // A part of them that costs seconds.

@@ -8,6 +8,7 @@
 
 #include "scene/files/read_scene.hpp"
 #include "scene/render/render.hpp"
+#include "tools/grade/assignment/argument_text.hpp"
 #include "tools/grade/assignment/scene_case.hpp"
 
 using namespace kreda;
@@ -110,4 +111,17 @@ TEST_CASE("A7 expects the shadow that the renderer has at every pixel") {
         CHECK(doubtful < rows.input.rows / 20);
     }
     CHECK(compared == 2);
+}
+
+TEST_CASE("arguments are written with words where a number stands for one") {
+    const auto number = [](double value) { return std::to_string(static_cast<int>(value)); };
+    const auto text = [&](const std::vector<tools::StageColumn>& columns) {
+        return tools::arguments_text({"f", "s", 1, columns, {}, {}}, 0, number);
+    };
+    CHECK(text({{"light_kind_inner_outer", 3, true, {2, 9, 8}}, {"p", 3, true, {1, 2, 3}}}) ==
+          "light = spot, cos_inner_outer = (9, 8), p = (1, 2, 3)");
+    CHECK(text({{"light_kind_inner_outer", 3, true, {0, 9, 8}}}) == "light = directional, cos_inner_outer = (9, 8)");
+    CHECK(text({{"mode", 1, true, {3}}, {"distance", 1, true, {1}}}) == "mode = exp2, distance = planar");
+    CHECK(text({{"distance", 1, true, {1}}, {"all", 1, false, {7, 8}}}) == "distance = 1");
+    CHECK(text({{"frequency", 1, true, {4}}}) == "frequency = 4");
 }

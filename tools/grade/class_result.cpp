@@ -62,6 +62,15 @@ std::string bars_html(const Counts& counts, std::size_t all) {
     return html + "</div>\n";
 }
 
+std::string without_head(const std::string& text, const std::string& head) {
+    return text.rfind(head, 0) == 0 ? text.substr(head.size()) : text;
+}
+
+/// The first line of a diagnosis. That answers are equal goes without saying; that they are only alike does not.
+std::string mistake_text(const GradeResult& result) {
+    return without_head(first_line(result.diagnosis), "looks exactly like: ");
+}
+
 Counts histogram_counts(const std::vector<GradeResult>& results) {
     const std::vector<std::size_t> bins = histogram(results);
     Counts counts;
@@ -90,11 +99,11 @@ std::string table_html(const std::vector<GradeResult>& results) {
         "<div class=\"wide\"><table><tr><th>submission</th><th class=\"number\">points</th><th>diagnosis</th>"
         "<th>box</th></tr>\n";
     for (const GradeResult& result : results) {
-        const std::string why = result.error.empty() ? result.diagnosis : result.error;
+        const std::string why = result.error.empty() ? mistake_text(result) : first_line(result.error);
         html += "<tr><td><a href=\"" + markup_text(link_of(result.submission)) + "/report.html\">" +
                 markup_text(result.submission) + "</a></td><td class=\"number\">" + points_text(result.points) + " / " +
-                points_text(result.max_points) + "</td><td>" + markup_text(first_line(why)) + "</td><td>" +
-                box_of(result) + "</td></tr>\n";
+                points_text(result.max_points) + "</td><td>" + markup_text(why) + "</td><td>" + box_of(result) +
+                "</td></tr>\n";
     }
     return html + "</table></div>\n";
 }
@@ -113,7 +122,7 @@ Counts failures_of_tests(const std::vector<GradeResult>& results) {
 Counts diagnoses(const std::vector<GradeResult>& results) {
     std::map<std::string, std::size_t> counts;
     for (const GradeResult& result : results) {
-        if (!result.diagnosis.empty()) ++counts[first_line(result.diagnosis)];
+        if (!result.diagnosis.empty()) ++counts[without_head(mistake_text(result), "looks like: ")];
     }
     return sorted(counts);
 }

@@ -16,7 +16,7 @@ using Counts = std::vector<std::pair<std::string, std::size_t>>;
 /// How many submissions fail each test, in the order of the tests' frequency of failure.
 [[nodiscard]] Counts failures_of_tests(const std::vector<GradeResult>& results);
 
-/// The first lines of the diagnoses of those that did not pass everything.
+/// The mistakes of those that did not pass everything, equal ones and alike ones counted together.
 [[nodiscard]] Counts diagnoses(const std::vector<GradeResult>& results);
 
 /// Ten bins of the share of points: [0, 10 %), ..., [90 %, 100 %].

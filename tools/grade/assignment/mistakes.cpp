@@ -50,20 +50,32 @@ void check_fits(const std::vector<TextChange>& changes, const std::string& solut
     }
 }
 
-/// Each choice of the changes, all of them first. A mistake made in a part of its places makes no pairs: there would be
-/// too many.
-void add_parts(const std::vector<TextChange>& changes, std::size_t family, bool in_pairs, std::vector<Way>& ways) {
+/// One way, or a family of them: one for each number.
+void add_family(const std::vector<TextChange>& changes, const std::vector<double>& values, bool in_pairs,
+                std::vector<Way>& ways) {
+    const std::size_t family = ways.empty() ? 0 : ways.back().family + 1;
+    if (values.empty()) ways.push_back({changes, family, in_pairs});
+    for (std::size_t i = 0; i < values.size(); ++i) {
+        const bool is_end = i == 0 || i + 1 == values.size();
+        ways.push_back({with_number(changes, values[i]), family, in_pairs && is_end});
+    }
+}
+
+/// The same for each choice of the changes, all of them first. A mistake made in a part of its places makes no pairs:
+/// there would be too many.
+void add_parts(const std::vector<TextChange>& changes, const std::vector<double>& values, bool in_pairs,
+               std::vector<Way>& ways) {
     const unsigned all = (1u << changes.size()) - 1u;
     for (unsigned chosen = all; chosen > 0; --chosen) {
         std::vector<TextChange> part;
         for (std::size_t i = 0; i < changes.size(); ++i) {
             if ((chosen >> i & 1u) != 0) part.push_back(changes[i]);
         }
-        ways.push_back({part, family++, in_pairs && chosen == all});
+        add_family(part, values, in_pairs && chosen == all, ways);
     }
 }
 
-/// One way, or with `values` a family of them, or with `parts` one for each choice of the changes.
+/// With `values` a family, with `parts` the same for each choice of the changes.
 void read_ways(TableReader& reader, const std::string& solution, std::vector<Way>& ways) {
     const std::vector<TextChange> changes = read_changes(reader);
     check_fits(changes, solution, reader);
@@ -80,16 +92,12 @@ void read_ways(TableReader& reader, const std::string& solution, std::vector<Way
     reader.read("pairs", in_pairs);
     bool has_parts = false;
     reader.read("parts", has_parts);
-    if (has_parts && (!values.empty() || changes.size() < 2 || changes.size() > kMostParts)) {
-        reader.complain("parts", "expected two to four texts in 'from', and no 'values'");
+    const bool all_have = std::all_of(changes.begin(), changes.end(), has_number) || values.empty();
+    if (has_parts && (!all_have || changes.size() < 2 || changes.size() > kMostParts)) {
+        reader.complain("parts", "expected two to four texts in 'from', and with 'values' a '$' for each of them");
     }
-    const std::size_t family = ways.empty() ? 0 : ways.back().family + 1;
-    if (has_parts) return add_parts(changes, family, in_pairs, ways);
-    if (values.empty()) ways.push_back({changes, family, in_pairs});
-    for (std::size_t i = 0; i < values.size(); ++i) {
-        const bool is_end = i == 0 || i + 1 == values.size();
-        ways.push_back({with_number(changes, values[i]), family, in_pairs && is_end});
-    }
+    if (has_parts) return add_parts(changes, values, in_pairs, ways);
+    add_family(changes, values, in_pairs, ways);
 }
 
 Mistake read_mistake(const scene::Value& table, const std::string& solution) {

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "tools/explain/derivation.hpp"
+#include "tools/grade/assignment/argument_text.hpp"
 
 namespace kreda::tools {
 
@@ -29,24 +30,6 @@ double error_of(const RubricStage& stage, const double* expected, const double* 
 
 bool all_finite(const double* values, std::size_t count) {
     return std::all_of(values, values + count, [](double v) { return std::isfinite(v); });
-}
-
-std::string numbers_text(const double* values, std::size_t count) {
-    if (count == 1) return number_text(values[0]);
-    std::string text = "(";
-    for (std::size_t i = 0; i < count; ++i) text += (i > 0 ? ", " : "") + number_text(values[i]);
-    return text + ")";
-}
-
-/// "n = (0, 1, 0), l = (0.6, 0.8, 0)"; lists that all rows share are left out.
-std::string arguments_text(const StageTable& input, std::size_t row) {
-    std::string text;
-    for (const StageColumn& c : input.columns) {
-        if (!c.per_row) continue;
-        text += (text.empty() ? "" : ", ") + c.name + " = " +
-                numbers_text(c.values.data() + row * c.components, c.components);
-    }
-    return text;
 }
 
 std::string at_text(const StageTable& input, std::size_t row) {
@@ -108,9 +91,10 @@ std::string describe_wrong_row(const RubricStage& stage, const StageTable& input
     const StageColumn& e = expected.columns[check.column];
     const StageColumn& a = answers.columns[check.column];
     const std::size_t at = check.worst * e.components;
-    std::string text = stage.name + "(" + arguments_text(input, check.worst) + ")" + at_text(input, check.worst) +
-                       ": yours gives " + e.name + " = " + numbers_text(a.values.data() + at, a.components) +
-                       ", the lecture " + numbers_text(e.values.data() + at, e.components);
+    std::string text = stage.name + "(" + arguments_text(input, check.worst, number_text) + ")" +
+                       at_text(input, check.worst) + ": yours gives " + e.name + " = " +
+                       numbers_text(a.values.data() + at, a.components, number_text) + ", the lecture " +
+                       numbers_text(e.values.data() + at, e.components, number_text);
     if (!stage.formula.empty()) text += ";  " + stage.formula;
     if (!stage.page.empty()) text += ", " + page_text(stage.page, stage.equation);
     return text;

@@ -112,6 +112,7 @@ double Fits::misfit(std::size_t variant, std::size_t i) {
     double best = misfit_of(sums(variant, i));
     const Variant& v = catalogue.variants[variant];
     for (std::size_t k = 0; v.ways.size() == 2 && k < 2; ++k) {
+        if (alone.find({v.mistakes[k], v.ways[k]}) == alone.end()) continue;
         const std::size_t single = alone.at({v.mistakes[k], v.ways[k]});
         if (catalogue.answers.number[single][i] != catalogue.answers.number[variant][i]) continue;
         best = std::min(best, misfit_of_mistake(v.mistakes[k], i));
@@ -122,6 +123,7 @@ double Fits::misfit(std::size_t variant, std::size_t i) {
 double Fits::misfit_of_mistake(std::size_t mistake, std::size_t i) {
     const auto [found, is_new] = mistake_misfits_.try_emplace({mistake, i}, 1.0);
     for (std::size_t way = 0; is_new && way < catalogue.mistakes[mistake].ways.size(); ++way) {
+        if (alone.find({mistake, way}) == alone.end()) continue;
         for (const PossibleCause& e : possible_causes(alone.at({mistake, way}))) {
             found->second = std::min(found->second, misfit(e, i));
         }

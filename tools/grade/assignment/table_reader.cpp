@@ -2,7 +2,7 @@
 
 #include <algorithm>
 #include <fstream>
-#include <iterator>
+#include <vector>
 
 #include "tools/explain/derivation.hpp"
 
@@ -106,8 +106,12 @@ void TableReader::complain(const std::string& key, const std::string& message) c
 
 std::string read_text(const std::string& path) {
     std::ifstream file(path, std::ios::binary);
-    std::string text{std::istreambuf_iterator<char>(file), std::istreambuf_iterator<char>()};
-    if (!file) throw scene::UserError(scene::Place{path}, "cannot be read; does it exist?");
+    std::string text;
+    std::vector<char> part(1 << 20);  // a catalogue's answers are hundreds of megabytes: not byte by byte
+    while (file.read(part.data(), static_cast<std::streamsize>(part.size())) || file.gcount() > 0) {
+        text.append(part.data(), static_cast<std::size_t>(file.gcount()));
+    }
+    if (!file.eof()) throw scene::UserError(scene::Place{path}, "cannot be read; does it exist?");
     return text;
 }
 

@@ -8,6 +8,7 @@
 #include <sstream>
 
 #include "tools/explain/derivation.hpp"
+#include "tools/grade/assignment/argument_text.hpp"
 #include "tools/grade/assignment/table_reader.hpp"
 #include "tools/write_file.hpp"
 
@@ -29,19 +30,11 @@ std::string digits_of(double value) {
 
 /// Numbers of a row of one column, "(0.1, 0.2, 0.3)".
 std::string cell_text(const StageColumn& c, std::size_t row) {
-    std::string text;
-    for (std::size_t i = 0; i < c.components; ++i) {
-        text += (i > 0 ? ", " : "") + digits_of(c.values[row * c.components + i]);
-    }
-    return c.components > 1 ? "(" + text + ")" : text;
+    return numbers_text(c.values.data() + row * c.components, c.components, digits_of);
 }
 
 std::string call_text(const StageTable& input, std::size_t row) {
-    std::string text;
-    for (const StageColumn& c : input.columns) {
-        if (c.per_row) text += (text.empty() ? "" : ", ") + c.name + " = " + cell_text(c, row);
-    }
-    return input.stage + "(" + text + ")";
+    return input.stage + "(" + arguments_text(input, row, digits_of) + ")";
 }
 
 std::string pixel_text(const StageTable& input, std::size_t row) {

@@ -1,0 +1,125 @@
+#include "tools/grade/assignment/place_fits.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <tuple>
+
+namespace kreda::tools {
+
+namespace {
+
+/// Two numbers agree up to this many times what a number may be off.
+constexpr double kAgree = 4.0;
+
+bool is_off(double value, double expected, double allowed) {
+    const bool finite = std::isfinite(value);
+    if (!finite || !std::isfinite(expected)) return finite != std::isfinite(expected);
+    return std::abs(value - expected) > allowed;
+}
+
+/// Does the function of table i call that of table k? A picture calls all that stand before it.
+bool calls(const Fits& fits, std::size_t i, std::size_t k) {
+    const RubricStage &stage = fits.marking.stage(i), &other = fits.marking.stage(k);
+    if (stage.calls.empty()) return stage.picture && &other < &stage;
+    return std::find(stage.calls.begin(), stage.calls.end(), other.name) != stage.calls.end();
+}
+
+/// One component of one result of a function, over the tables of all scenes: how many numbers the submission has
+/// wrong, and one way to make a mistake; in how many they are wrong alike; and in how many the submission's is what the
+/// way gave for the number before, as happens where there are only a few different numbers.
+struct Counts {
+    double all = 0.0, wrong = 0.0, spoilt = 0.0, alike = 0.0, by_chance = 0.0;
+};
+
+/// All ways of a mistake on one component.
+struct Component {
+    const RubricStage* stage;
+    std::size_t column, index;
+    [[nodiscard]] bool operator<(const Component& o) const {
+        return std::tie(stage, column, index) < std::tie(o.stage, o.column, o.index);
+    }
+};
+using WayCounts = std::map<std::size_t, Counts>;
+
+void count(const Fits& fits, std::size_t i, const StageTable& answers, std::size_t column, std::size_t component,
+           Counts& counts) {
+    const StageTable& input = fits.marking.cases.inputs[i];
+    const RubricStage& stage = fits.marking.stage(i);
+    const StageColumn& right = fits.marking.cases.expected[i].columns[column];
+    const std::size_t n = right.components;
+    double before = NAN;
+    for (std::size_t row = 0; row < input.rows; ++row) {
+        if (!input.doubtful.empty() && input.doubtful[row]) continue;
+        double scale = 0.0;
+        for (std::size_t k = 0; k < n; ++k) scale = std::max(scale, std::abs(right.values[row * n + k]));
+        const double allowed = stage.absolute + stage.relative * scale;
+        const double e = right.values[row * n + component];
+        const double s = fits.marking.answers[i]->columns[column].values[row * n + component];
+        const double v = answers.columns[column].values[row * n + component];
+        const bool wrong = is_off(s, e, allowed), spoilt = is_off(v, e, allowed);
+        counts.all += 1.0;
+        counts.wrong += wrong ? 1.0 : 0.0;
+        counts.spoilt += spoilt ? 1.0 : 0.0;
+        counts.alike += wrong && spoilt && !is_off(s, v, kAgree * allowed) ? 1.0 : 0.0;
+        counts.by_chance += wrong && !std::isnan(before) && !is_off(s, before, kAgree * allowed) ? 1.0 : 0.0;
+        if (spoilt) before = v;
+    }
+}
+
+std::map<Component, WayCounts> counts_of(const Fits& fits, std::size_t mistake) {
+    std::map<Component, WayCounts> counts;
+    for (std::size_t i = 0; i < fits.wrong.size(); ++i) {
+        if (!is_wrong_by_itself(fits, i)) continue;
+        for (std::size_t way = 0; way < fits.catalogue.mistakes[mistake].ways.size(); ++way) {
+            const auto variant = fits.alone.find({mistake, way});
+            if (variant == fits.alone.end()) continue;
+            const StageTable& answers = fits.catalogue.answers.of(variant->second, i);
+            for (std::size_t c = 0; c < answers.columns.size(); ++c) {
+                for (std::size_t k = 0; k < answers.columns[c].components; ++k) {
+                    count(fits, i, answers, c, k, counts[{&fits.marking.stage(i), c, k}][way]);
+                }
+            }
+        }
+    }
+    return counts;
+}
+
+}  // namespace
+
+bool is_wrong_by_itself(const Fits& fits, std::size_t i) {
+    if (!fits.wrong[i]) return false;
+    for (std::size_t k = 0; k < fits.wrong.size(); ++k) {
+        if (fits.wrong[k] && calls(fits, i, k)) return false;
+    }
+    return true;
+}
+
+std::vector<PlaceFit> place_fits(const Fits& fits) {
+    std::vector<PlaceFit> found;
+    for (std::size_t m = 0; m < fits.catalogue.mistakes.size(); ++m) {
+        PlaceFit fit{m};
+        double wrong = 0.0, alike = 0.0, spoilt = 0.0;
+        for (const auto& [component, ways] : counts_of(fits, m)) {
+            const auto best = std::max_element(
+                ways.begin(), ways.end(), [](const auto& a, const auto& b) { return a.second.alike < b.second.alike; });
+            const Counts& c = best->second;
+            wrong += c.wrong;
+            fit.of_picture = fit.of_picture || component.stage->picture;
+            // Many mistakes leave a surface unlit: what stays the same from pixel to pixel is no evidence.
+            const bool is_flat = component.stage->picture && c.by_chance > 0.5 * c.alike;
+            if (c.alike <= 0.0 || is_flat) continue;
+            alike += c.alike;
+            spoilt += c.spoilt;
+            const double chance = c.spoilt / c.all * (c.by_chance + 1.0) / (c.wrong + 1.0);
+            fit.surprise += c.alike * -std::log2(std::min(chance, 1.0));
+        }
+        fit.explained = wrong > 0.0 ? alike / wrong : 0.0;
+        fit.reach = spoilt > 0.0 ? alike / spoilt : 0.0;
+        found.push_back(fit);
+    }
+    std::stable_sort(found.begin(), found.end(),
+                     [](const PlaceFit& a, const PlaceFit& b) { return a.explained > b.explained; });
+    return found;
+}
+
+}  // namespace kreda::tools
