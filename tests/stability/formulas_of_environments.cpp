@@ -204,7 +204,7 @@ std::vector<Formula> places_on_images() {
 
 }  // namespace
 
-std::vector<Formula> formulas_of_places() {
+std::vector<Formula> formulas_of_environments() {
     return joined(places_on_cubes(), places_on_images());
 }
 

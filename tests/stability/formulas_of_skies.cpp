@@ -91,7 +91,7 @@ VectorFormula sky_formula(const std::string& name, double longest, double most_e
 
 std::vector<Formula> formulas_of_built_in_skies() {
     const Axis edge{-1.0f, 0.0f, Spread::even, {}}, other{0.08f, 1.0f, Spread::even, {}};
-    const Axis half{0.05f, 1.0f, Spread::even, {}};
+    const Axis half{0.05f, 50.0f, Spread::logarithmic, {}};
     return {
         {"smooth_step",
          "from in [-1, 0], to in [0.08, 1], x in [-2, 2]",
@@ -104,12 +104,12 @@ std::vector<Formula> formulas_of_built_in_skies() {
          [](const Inputs& x) { return lighting::smooth_step(x[0], x[1], x[2]); },
          [](const Inputs& x) { return exact_step(x[0], x[1], x[2]); }},
         {"soft_box",
-         "d unit, half widths in [0.05, 1]",
+         "d unit, half widths in [0.05, 50]",
          "[0, 1]",
          0,
          1.0000002,
          false,
-         4e-6,
+         1e-5,
          {kHeight, kTurn, half, half},
          [](const Inputs& x) {
              return lighting::soft_box(direction_of_sky(x), {0.0f, 0.0f, 1.0f}, {1.0f, 0.0f, 0.0f}, {0.0f, 1.0f, 0.0f},
@@ -120,7 +120,7 @@ std::vector<Formula> formulas_of_built_in_skies() {
          }},
         formula_of(sky_formula("gradient_sky", 36, 2e-3, lighting::gradient_sky, exact_gradient)),
         formula_of(sky_formula("studio_sky", 16, 1e-4, lighting::studio_sky, exact_studio)),
-        formula_of(sky_formula("sunset_sky", 286, 0.06, lighting::sunset_sky, exact_sunset)),
+        formula_of(sky_formula("sunset_sky", 286, 0.01, lighting::sunset_sky, exact_sunset)),
     };
 }
 
@@ -267,7 +267,8 @@ std::vector<Formula> formulas_of_nine_numbers() {
          {height, kAnyTurn, height, kAnyTurn},
          [](const Inputs& x) {
              const lighting::Sh9 nine = lighting::sh9_of_light(direction(x[0], x[1]));
-             return lighting::irradiance_of_sh9(nine, direction(x[2], x[3])).x;
+             const vec3 E = lighting::irradiance_of_sh9(nine, direction(x[2], x[3]));
+             return (double{E.x} + double{E.y} + double{E.z}) / 3;
          },
          [](const Inputs& x) {  // 1/4 P0 + 1/2 P1 + 5/16 P2 of the angle between them
              const Real c = glm::dot(Wide(direction(x[0], x[1])), Wide(direction(x[2], x[3])));

@@ -220,7 +220,7 @@ TEST_CASE("formulas: normals over the whole domain") {
 }
 
 TEST_CASE("formulas: places in environments over the whole domain") {
-    check_group("Environments: places", formulas_of_places());
+    check_group("Environments: places", formulas_of_environments());
 }
 
 TEST_CASE("formulas: light of environments over the whole domain") {
