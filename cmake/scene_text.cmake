@@ -4,7 +4,7 @@ get_target_property(scene_sources kreda_scene SOURCES)
 set(text_sources ${scene_sources})
 list(FILTER text_sources INCLUDE REGEX "/scene/(files|plan)/")
 list(FILTER text_sources EXCLUDE REGEX
-  "/files/(obj_[a-z]+|share_vertices|mesh_file|png_bytes|deflate_strips|hash_of_bytes|image_color|write_image|webp_file|gltf_model)\\.cpp$|/plan/(seen|lit_samples|light_reach)\\.cpp$")
+  "/files/(obj_[a-z]+|share_vertices|repeated_triangles|mesh_file|png_bytes|deflate_strips|hash_of_bytes|image_color|write_image|webp_file|gltf_model)\\.cpp$|/plan/(seen|lit_samples|light_reach)\\.cpp$")
 list(REMOVE_ITEM scene_sources ${text_sources})
 set_target_properties(kreda_scene PROPERTIES SOURCES "${scene_sources}")
 add_library(kreda_scene_text OBJECT ${text_sources})

@@ -38,7 +38,7 @@ inline glm::vec3 direction_of(const CubePoint& point) {
     return point.face < 2 ? on_x : on_y_or_z;
 }
 
-/// The point of the cube in a direction of any length. The inverse of direction_of; no branch, no angle.
+/// The point of the cube in a direction of a length in [1e-15, 1e15]. The inverse of direction_of; no branch, no angle.
 inline CubePoint cube_point(const glm::vec3& d) {
     const raster::CubeFace at = raster::cube_face(d);
     const float s_y_or_z = at.on_y() ? d.x : at.sign * d.x;

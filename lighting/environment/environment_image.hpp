@@ -35,7 +35,7 @@ inline constexpr float kMaxRadiance = 1e9f;
 /// +infinity the largest finite value of the image, negative ones (also -infinity) 0, larger ones kMaxRadiance.
 EnvironmentRepairs repair_environment(raster::Image& image);
 
-/// Where a direction of any length (not 0) lies in an equirectangular image: u, v in [0, 1].
+/// Where a direction of a length in [1e-15, 1e15] lies in an equirectangular image: u, v in [0, 1].
 inline glm::vec2 equirect_point(const glm::vec3& d) {
     const float azimuth = raster::atan2_in_turns(d.z, d.x);
     const float elevation = raster::atan2_in_turns(d.y, std::sqrt(d.x * d.x + d.z * d.z));

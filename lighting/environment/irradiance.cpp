@@ -11,7 +11,6 @@ namespace kreda::lighting {
 namespace {
 
 using raster::Channel3;
-using raster::kBatchCapacity;
 
 constexpr double kPiInDouble = 3.14159265358979323846;
 

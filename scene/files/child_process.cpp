@@ -16,6 +16,10 @@
 #include <sys/prctl.h>
 #endif
 
+#if defined(KREDA_COVERAGE)
+extern "C" void __gcov_dump();  // of gcc's libgcov
+#endif
+
 namespace kreda::scene {
 
 namespace {
@@ -92,10 +96,9 @@ void become_limited(const ChildLimits& limits) {
         send(pipe);
     } catch (const std::exception&) { _exit(1); }
 #if defined(KREDA_COVERAGE)
-    std::exit(0);  // writes down which lines were run
-#else
-    _exit(0);  // without the destructors of what belongs to the parent
+    __gcov_dump();  // writes down which lines were run
 #endif
+    _exit(0);  // without the destructors of what belongs to the parent
 }
 
 /// The signal that ended a child, or 0.

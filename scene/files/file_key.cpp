@@ -37,7 +37,7 @@ std::string existing_file(const Value& key, const std::string& folder) {
         throw UserError(key.place, in_quotes(key.key) + ": " + path_in_quotes(key.text) +
                                        " is an address; Kreda reads files: download it beside the scene");
     }
-    const std::string path = path_in(folder, key.text);
+    std::string path = path_in(folder, key.text);
     std::error_code failed;
     if (fs::is_regular_file(path, failed)) return path;
     const std::string subject = in_quotes(key.key) + ": " + path_in_quotes(path);

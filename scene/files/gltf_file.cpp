@@ -19,6 +19,7 @@
 #include "scene/files/gltf_nodes.hpp"
 #include "scene/files/gltf_primitive.hpp"
 #include "scene/files/obj_centre.hpp"
+#include "scene/files/repeated_triangles.hpp"
 
 namespace kreda::scene {
 
@@ -208,8 +209,10 @@ LoadedMesh load_gltf_file(const std::string& path, const MeshFileOptions& option
     loaded.mesh = std::move(assembly.mesh);
     if (!assembly.has_uvs) loaded.mesh.uvs.clear();
     if (!assembly.needs_tangents || !assembly.has_tangents) loaded.mesh.tangents.clear();
+    const std::string repeated = warning_of_repeated(drop_repeated_triangles(loaded.mesh), path);
     settle_normals(options, loaded.mesh);
     loaded.warnings = std::move(materials.warnings);
+    if (!repeated.empty()) loaded.warnings.push_back(repeated);
     loaded.warnings.insert(loaded.warnings.end(), assembly.warnings.begin(), assembly.warnings.end());
     if (assembly.bad_normals > 0) {
         loaded.warnings.push_back(path + ": " + std::to_string(assembly.bad_normals) +

@@ -18,6 +18,7 @@
 #include "scene/files/mtl_file.hpp"
 #include "scene/files/obj_centre.hpp"
 #include "scene/files/obj_scan.hpp"
+#include "scene/files/repeated_triangles.hpp"
 #include "scene/files/share_vertices.hpp"
 
 namespace kreda::scene {
@@ -207,6 +208,15 @@ void make_missing_normals(bool has_smoothing_groups, const std::optional<float>&
     }
 }
 
+/// The mesh, each triangle once: what is in the file again is left out with a warning.
+raster::Mesh share_different(const MeshArrays& arrays, const CornerTriangles& triangles,
+                             std::vector<std::string>& warnings, const std::string& file) {
+    raster::Mesh mesh = share_vertices(arrays, triangles);
+    const std::string repeated = warning_of_repeated(drop_repeated_triangles(mesh), file);
+    if (!repeated.empty()) warnings.push_back(repeated);
+    return mesh;
+}
+
 raster::Mesh build_mesh(bool has_smoothing_groups, const MeshFileOptions& options, MeshArrays& arrays,
                         CornerTriangles& triangles, std::vector<std::string>& warnings, const std::string& file) {
     const Normals normals = options.normals;
@@ -218,12 +228,12 @@ raster::Mesh build_mesh(bool has_smoothing_groups, const MeshFileOptions& option
                 .what());
     }
     if (normals == Normals::flat) {
-        raster::Mesh mesh = share_vertices(arrays, triangles);
+        raster::Mesh mesh = share_different(arrays, triangles, warnings, file);
         raster::make_flat_normals(mesh);
         return mesh;
     }
     if (missing > 0) make_missing_normals(has_smoothing_groups, options.crease, arrays, triangles);
-    return share_vertices(arrays, triangles);
+    return share_different(arrays, triangles, warnings, file);
 }
 
 }  // namespace

@@ -27,7 +27,7 @@ else()
     file(GLOB_RECURSE found ${SOURCE}/${room}/*.cpp)
     list(APPEND files ${found})
   endforeach()
-  list(FILTER files EXCLUDE REGEX "/examples/assignments/|/scene/files/(image_file|open_image).cpp$")
+  list(FILTER files EXCLUDE REGEX "/examples/(assignments/|[^/]+/live\\.cpp$)|/scene/files/(image_file|open_image).cpp$")
   if(NOT TINYGLTF)
     list(FILTER files EXCLUDE REGEX "/gltf_(accessor|file|lights|material|model|nodes|primitive)\\.cpp$|/test_gltf")
   endif()
@@ -37,6 +37,7 @@ foreach(file IN LISTS files)
   execute_process(COMMAND ${CLANG_TIDY} --quiet --config-file=${SOURCE}/.clang-tidy ${file} -- -std=c++20 -I${SOURCE}
     -DGLM_FORCE_XYZW_ONLY -DTOML_HEADER_ONLY=1 -DTOML_ENABLE_FORMATTERS=0 -Wno-unknown-pragmas
     -DKREDA_EXAMPLE_FOLDER="" -DKREDA_VERSION="" -DKREDA_IMAGES_OF_BUILD="" -DKREDA_IMAGES_PACKAGE=""
+    -DKREDA_COURSE_FOLDER="" -DKREDA_VIEW_PAGE_OF_BUILD=""
     OUTPUT_VARIABLE found ERROR_VARIABLE ignored RESULT_VARIABLE code)
   if(NOT code EQUAL 0)
     string(APPEND report "${found}")

@@ -74,3 +74,17 @@ TEST_CASE("Light table: without light every direction is as likely as any other"
         CHECK(light_density(table, d) == doctest::Approx(0.25 / std::numbers::pi).epsilon(0.15));
     }
 }
+
+TEST_CASE("Light table: edges and corners of the cube lie in a texel of their face") {
+    for (const int size : {1, 7, 16}) {
+        for (const float x : {-1.0f, 0.0f, 1.0f}) {
+            for (const float y : {-1.0f, 0.0f, 1.0f}) {
+                for (const float z : {-1.0f, 0.0f, 1.0f}) {
+                    if (x == 0.0f && y == 0.0f && z == 0.0f) continue;
+                    const DensityTap tap = density_tap(size, {x, y, z});
+                    CHECK(tap.texel / (size * size) == cube_point({x, y, z}).face);
+                }
+            }
+        }
+    }
+}

@@ -18,7 +18,8 @@ from pathlib import Path
 
 ROOT = Path(__file__).resolve().parent.parent.parent
 # The formulas; the test cases of tests/stability/test_formulas.cpp that try them, which are run first; and the unit tests that
-# are asked where those notice nothing.
+# are asked where those notice nothing. (cube_map.hpp, brdf_map.hpp and texel_taps.hpp are read through functions of the library,
+# which has no mistakes in it.)
 HEADERS = {
     "lighting/fresnel.hpp": ("*Fresnel*,*Schlick*", "lighting/test_fresnel"),
     "lighting/microfacet.hpp": ("*facets*,*directions*", "lighting/test_microfacet"),
@@ -29,6 +30,11 @@ HEADERS = {
     "lighting/light_sample.hpp": ("*lights*", "lighting/test_light"),
     "lighting/importance.hpp": ("*directions*", "lighting/test_importance"),
     "lighting/normal_map.hpp": ("*reflection*,*directions*", "lighting/test_normal_map"),
+    "lighting/environment/sky.hpp": ("*light of environments*", "lighting/test_sky"),
+    "lighting/environment/environment_image.hpp": ("*places in environments*", "lighting/test_environment_image"),
+    "lighting/environment/light_table.hpp": ("*places in environments*", "lighting/test_light_table"),
+    "lighting/environment/irradiance.hpp": ("*light of environments*", "lighting/test_irradiance"),
+    "lighting/environment/prefilter.hpp": ("*light of environments*", "lighting/test_prefilter"),
     "shadows/map_point.hpp": ("*shadow maps*", "shadows/test_map_bias"),
     "shadows/soft_filter.hpp": ("*shadow maps*", ""),
     "shadows/light_ray.hpp": ("*exact shadows*", "shadows/test_light_ray"),
@@ -76,7 +82,8 @@ def mutate(scratch):
         lines = (ROOT / name).read_text(encoding="utf-8").split("\n")
         out, in_struct = [], False
         for number, line in enumerate(lines, 1):
-            in_struct = (in_struct or re.match(r"(struct|enum)", line)) and line != "};"
+            begins = re.match(r"(struct|enum)", line) and not line.endswith("};")
+            in_struct = (in_struct or begins) and line != "};"
             inside = not in_struct and number > lines.index("#pragma once")
             out.append(mutate_line(line, f"{name}:{number}", mutants) if inside else line)
         text = "\n".join(out).replace("#pragma once", '#pragma once\n#include "tests/mutants/mutant.hpp"', 1)

@@ -130,8 +130,8 @@ TEST_CASE("mesh file: a polygon of 300 corners has 298 triangles") {
 
 TEST_CASE("mesh file: groups and objects are parts and a change of material splits them") {
     const std::string f = "f 1 2 3\n";
-    const LoadedMesh loaded = load_bare("v 0 0 0\nv 1 0 0\nv 0 1 0\n" + f + "o pot\n" + f + f + "g lid knob\n" + f +
-                                        "g empty\ng\n" + f + "usemtl red\n" + f);
+    const LoadedMesh loaded = load_bare("v 0 0 0\nv 1 0 0\nv 0 1 0\n" + f + "o pot\n" + f + "f 3 2 1\n" +
+                                        "g lid knob\n" + f + "g empty\ng\n" + f + "usemtl red\n" + f);
     const auto& parts = loaded.mesh.parts;
     REQUIRE(parts.size() == 5);
     const std::vector<std::string> names = {"", "pot", "lid knob", "default", "default"};
@@ -254,7 +254,7 @@ TEST_CASE("mesh file: several materials in several files with blanks in their na
     const LoadedMesh loaded = load_mesh_file(folder.write(
         "a.obj",
         "mtllib red and blue.mtl\nmtllib b.mtl absent.mtl\nv 0 0 0\nv 1 0 0\nv 0 1 0\nusemtl Material #25\nf 1 2 3\n"
-        "usemtl  dark red \nf 1 2 3\nusemtl blue\nf 1 2 3\nusemtl blue\nf 1 2 3\n"));
+        "usemtl  dark red \nf 1 2 3\nusemtl blue\nf 1 2 3\nusemtl blue\nf 3 2 1\n"));
     REQUIRE(loaded.mesh.parts.size() == 3);
     const auto diffuse = [&](std::size_t part) {
         return loaded.materials.at(std::size_t(loaded.mesh.parts[part].material)).phong.diffuse;

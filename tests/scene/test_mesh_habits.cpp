@@ -58,7 +58,7 @@ TEST_CASE("mesh habits: # is part of a number behind its point and starts a comm
 }
 
 TEST_CASE("mesh habits: a backslash at the end of a comment joins nothing to it") {
-    CHECK(load_text("# C:\\art\\\n" + kVertices + "f 1 2 3 # c \\\nf 3 2 1#c\\\nf 1 3 2\n")
+    CHECK(load_text("# C:\\art\\\n" + kVertices + "v 0 0 1\nf 1 2 3 # c \\\nf 3 2 1#c\\\nf 1 3 4\n")
               .loaded.mesh.triangle_count() == 3);
     CHECK(load_text(kVertices + "l 1 2 # c \\\nf 1 2 3\n").loaded.mesh.triangle_count() == 1);
     CHECK(load_text(kVertices + "f 1 2 \\\n3\n").loaded.mesh.triangle_count() == 1);

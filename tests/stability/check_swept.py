@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
 """Is every public formula swept? Usage: check_swept.py SOURCE
-Each free function that lighting/*.hpp and shadows/*.hpp declare, and each of raster/*.hpp that gives numbers, has a row in
-the table of docs/97_extremes.md or a line in not_swept.txt beside this file. A line there for what is swept, or is no
+Each free function that lighting/*.hpp, lighting/environment/*.hpp and shadows/*.hpp declare, and each of raster/*.hpp that
+gives numbers, has a row in the table of docs/97_extremes.md or a line in not_swept.txt beside this file. A line there for what is swept, or is no
 function any more, is an error, too."""
 import re
 import sys
@@ -27,9 +27,9 @@ def functions_of(header, only_numbers):
 def main():
     source = Path(sys.argv[1])
     declared = {}
-    for room in ("lighting", "shadows", "raster"):
-        for header in sorted((source / room).glob("*.hpp")):
-            for name in functions_of(header, room == "raster"):
+    for folder in ("lighting", "lighting/environment", "shadows", "raster"):
+        for header in sorted((source / folder).glob("*.hpp")):
+            for name in functions_of(header, folder == "raster"):
                 declared.setdefault(name, header.relative_to(source))
     page = (source / "docs/97_extremes.md").read_text(encoding="utf-8")
     swept = set(re.findall(r"^\| `(\w+)[^`|]*` \| [^|]* \| [^|]* \| [^|]* \| [\d,]+ \|$", page, re.M))

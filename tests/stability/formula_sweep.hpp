@@ -115,5 +115,7 @@ struct SweepResult {
 [[nodiscard]] std::vector<Formula> formulas_of_textures();
 [[nodiscard]] std::vector<Formula> formulas_of_raster();
 [[nodiscard]] std::vector<Formula> formulas_of_normals();
+[[nodiscard]] std::vector<Formula> formulas_of_environments();
+[[nodiscard]] std::vector<Formula> formulas_of_skies();
 
 }  // namespace kreda::tests

@@ -67,6 +67,18 @@ std::vector<Formula> depth_formulas() {
              const auto [n, f, z] = planes_of(x);
              return Real{z} * z * (Real{f} - n) / (Real{f} * n) / 65535;
          }},
+        {"depth_step", domain + ": float", "[0, 1.3e14]", 0, 1.3e14, true, 1e-14, kPlanes,
+         [](const Inputs& x) {
+             const auto [n, f, z] = planes_of(x);
+             return raster::depth_step(DepthFormat::float32, z, n, f);
+         },
+         [stored](const Inputs& x) {  // the last of a float's 24 bits
+             const auto [n, f, z] = planes_of(x);
+             int exponent = -125;
+             const double depth = stored(DepthFormat::float32)(x);
+             if (depth > 0.0) (void)std::frexp(depth, &exponent);
+             return std::ldexp(Real{1}, exponent - 24) * z * z * (Real{f} - n) / (Real{f} * n);
+         }},
     };
 }
 
