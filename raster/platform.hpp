@@ -37,7 +37,7 @@ namespace kreda::raster {
 
 /// Loops over a batch run up to the next multiple of this: whole vector registers, no rest. What lies behind the
 /// last fragment is computed and never looked at. When stepping in a debugger there is nothing behind it.
-#if defined(KREDA_MULTIVERSION)
+#if defined(KREDA_MULTIVERSION) || defined(__wasm_simd128__)
 inline constexpr int kBatchLanes = 16;
 #else
 inline constexpr int kBatchLanes = 1;

@@ -178,9 +178,11 @@ inline void draw_rows(const TileTriangle& t, std::uint32_t id, const TileArea& a
             for (int i = 0; i < kLanes; ++i) {
                 const std::int32_t inside = (e_ab + ab.step_x * i) | (e_bc + bc.step_x * i) | (e_ca + ca.step_x * i);
                 const float z = depth_at(t.depth, row_depth, area.x + x + i);
-                const bool visible = (inside >= 0) & (z < depth[i]);
-                depth[i] = visible ? z : depth[i];
-                triangle[i] = visible ? id : triangle[i];
+                const float nearest = depth[i];  // both are read in any case, so that clang vectorizes, too
+                const std::uint32_t drawn = triangle[i];
+                const bool visible = (inside >= 0) & (z < nearest);
+                depth[i] = visible ? z : nearest;
+                triangle[i] = visible ? id : drawn;
             }
         }
     }

@@ -44,8 +44,14 @@ def share_threads(root, page):
     page.write_text(text.replace("worker-src blob:", "worker-src blob: 'self'; connect-src 'self'", 1), encoding="utf-8")
 
 
+def put_poster(page):
+    """The picture over the canvas, until the module has drawn."""
+    text = page.read_text(encoding="utf-8").replace('<svg id="overlay"', f'<img id="poster" src="{page.stem}.png" alt="">\n      <svg id="overlay"', 1)
+    page.write_text(text.replace("img-src data:", "img-src 'self' file: data:", 1), encoding="utf-8")
+
+
 def write(root, folder, kreda):
-    """Pages live/NN.html; {number: page}. None where kreda has no page to put a scene in: the pictures stay."""
+    """Pages live/NN.html and the picture of each, which stands there until the module has drawn; {number: page}. None where kreda has no page to put a scene in: the pictures stay."""
     def one(item):
         number, scene = item
         page = folder / "live" / f"{number}.html"
@@ -53,6 +59,8 @@ def write(root, folder, kreda):
         done = subprocess.run([kreda, "view", scene, "-o", page, "--quiet", *chosen], capture_output=True, text=True)
         if done.returncode != 0 and "course view" not in done.stderr:
             raise SystemExit(f"docs: {scene}: {done.stderr.strip()}")
+        if done.returncode == 0:
+            subprocess.run([kreda, "render", scene, "-o", page.with_suffix(".png"), "--quiet"], check=True, capture_output=True)
         return number, f"live/{number}.html" if done.returncode == 0 else None
     (folder / "live").mkdir(parents=True, exist_ok=True)
     with ThreadPoolExecutor(2) as pool:
@@ -62,6 +70,7 @@ def write(root, folder, kreda):
     for page in filter(None, made.values()):
         share_module(folder / page)
         share_threads(root, folder / page)
+        put_poster(folder / page)
     return {number: page for number, page in made.items() if page}
 
 

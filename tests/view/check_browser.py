@@ -2,7 +2,7 @@
 """Opens pages of `kreda view` in headless Chromium: the film's bits are the program's, keys and controls change the picture,
 R and "Undo all" bring it back to the bit, fingers turn and come nearer, a pixel is explained, a broken file is one line, crashes are
 survived. A change reads no file again, a dropped .hdr takes the place of a named sky, a hidden page draws nothing and forgets nothing,
-a window of another size is still met by clicks, and a lesson's page loads its figure when it is seen.
+a window of another size is still met by clicks, a lesson's page loads its figure when it is seen, and the figure is its picture until the module has drawn.
 Usage: check_browser.py CHROMIUM KREDA HASH_SCENE_FILES FOLDER   (in the folder of the sources)"""
 import base64
 import json
@@ -13,6 +13,9 @@ import sys
 from pathlib import Path
 
 from browser import Browser
+
+sys.path.append("docs/site")
+import live
 
 CHROMIUM, KREDA, HASHES, FOLDER = sys.argv[1:5]
 SCENES = ["examples/25_exponents/live.toml", "examples/assignments/A7_shadow_map/scenes/soft.toml"]
@@ -186,6 +189,26 @@ def check_lesson(browser, folder, page):
     print("a lesson's figure is loaded when it is seen")
 
 
+def check_site(browser, folder, page, film):
+    """A live figure of the site: the picture that the program drew stands there until the module has drawn, and stays where it cannot."""
+    live_page = folder / "live" / "25.html"
+    live_page.parent.mkdir(exist_ok=True)
+    shutil.copy(page, live_page)
+    run(KREDA, "render", SCENES[0], "-o", str(live_page.with_suffix(".png")), "--quiet")
+    live.share_module(live_page)
+    live.put_poster(live_page)
+    module = live_page.parent / "module.js"
+    module.rename(folder / "module.js")
+    browser.open(live_page.as_uri())
+    assert browser.wait("document.getElementById('message')?.textContent"), "without its module the page says nothing"
+    assert browser.wait("document.getElementById('poster')?.naturalWidth > 0", 10), "without its module the figure is blank"
+    (folder / "module.js").rename(module)
+    browser.open(live_page.as_uri() + "?again")
+    assert browser.wait(f"document.documentElement.dataset.film === '{film}'"), f"the site's page drew nothing; it says: {message(browser)}"
+    assert browser.wait("!document.getElementById('poster')", 10), "the picture stands before what the module draws"
+    print("the site's figure shows its picture until the module has drawn")
+
+
 def touch(browser, kind, *points):
     browser.ask("Input.dispatchTouchEvent", browser.session, type=kind, touchPoints=[{"x": x, "y": y, "id": i} for i, (x, y) in enumerate(points)])
 
@@ -226,6 +249,7 @@ def main():
         check_sizes(browser)
         check_files(browser)
         check_hidden(browser)
+        check_site(browser, folder, folder / "25_exponents.html", films[-1])
         check_lesson(browser, folder, folder / "25_exponents.html")
     finally:
         browser.close()

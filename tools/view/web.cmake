@@ -16,10 +16,11 @@ endforeach()
 add_library(glm_headers INTERFACE)
 target_include_directories(glm_headers SYSTEM INTERFACE ${web_headers})
 
-# One thread unless asked for more; 128-bit lanes; exceptions as the browser has them.
-target_compile_options(kreda_flags INTERFACE -msimd128 -fwasm-exceptions -Wno-unknown-pragmas -Wno-unused-variable
+# One thread unless asked for more; 128-bit lanes; exceptions as the browser has them; a double beyond all integers needs no branch. A broken contract between
+# functions is a trap or a wrong picture in a box of its own: its messages stay out.
+target_compile_options(kreda_flags INTERFACE -msimd128 -mnontrapping-fptoint -fwasm-exceptions -Wno-unknown-pragmas -Wno-unused-variable
   "SHELL:-include ${PROJECT_SOURCE_DIR}/tools/view/web_std.hpp")
-target_compile_definitions(kreda_flags INTERFACE TOML_HEADER_ONLY=1 TOML_ENABLE_FORMATTERS=0)
+target_compile_definitions(kreda_flags INTERFACE NDEBUG TOML_HEADER_ONLY=1 TOML_ENABLE_FORMATTERS=0)
 target_link_options(kreda_flags INTERFACE -fwasm-exceptions -sALLOW_MEMORY_GROWTH=1 -sMAXIMUM_MEMORY=2GB)
 
 # The preset `web-threads`: the same module in as many threads as there are cores, for pages from a server that sends the
@@ -63,6 +64,11 @@ foreach(room IN ITEMS raster lighting shadows scene)
   list(APPEND once_sources ${of_room})
   set_target_properties(kreda_${room} PROPERTIES SOURCES "${always}")
 endforeach()
+# What these loops call is longer than clang puts in line by itself, and a loop with a call in it stays scalar: one triangle or texel
+# after the other instead of four at once. `-Rpass=loop-vectorize` lists the loops that got vectors.
+set(in_line raster/rasterize_tile raster/judge_lanes raster/texture_passes lighting/environment/prefilter lighting/environment/environment_image)
+list(TRANSFORM in_line REPLACE ".+" "${PROJECT_SOURCE_DIR}/\\0.cpp")
+set_source_files_properties(${in_line} PROPERTIES COMPILE_OPTIONS "-mllvm;-inline-threshold=3000")
 add_library(kreda_once STATIC ${once_sources})
 target_compile_options(kreda_once PRIVATE ${for_size})
 target_link_libraries(kreda_once PUBLIC kreda_scene)
@@ -112,7 +118,10 @@ target_compile_options(grade_web PRIVATE ${for_size})
 target_link_options(grade_web PRIVATE --no-entry -sMODULARIZE=1 -sEXPORT_NAME=makeKreda -sEXPORTED_RUNTIME_METHODS=ccall,FS
   -sEXPORTED_FUNCTIONS=_malloc,_free -sENVIRONMENT=web,worker,node -sFILESYSTEM=1 -O2)
 
-# A program for node, not built unless a test asks: `node hash_scenes.js`.
+# Programs for node, not built unless they are asked for: `node hash_scenes.js`, `node time_passes.js 30 SCENE.toml`.
 add_executable(hash_scenes EXCLUDE_FROM_ALL ${PROJECT_SOURCE_DIR}/tests/variants/hash_scenes.cpp)
 target_link_options(hash_scenes PRIVATE -O1 -sENVIRONMENT=node -sSINGLE_FILE=1 -sEXIT_RUNTIME=1)
 target_link_libraries(hash_scenes PRIVATE kreda_scene)
+add_executable(time_passes EXCLUDE_FROM_ALL ${PROJECT_SOURCE_DIR}/tests/view/time_passes.cpp)
+target_link_options(time_passes PRIVATE -O2 -sENVIRONMENT=node -sSINGLE_FILE=1 -sNODERAWFS=1)
+target_link_libraries(time_passes PRIVATE kreda_scene)

@@ -6,6 +6,7 @@ import { drawCross, drawVectors } from './explain.js';
 import { bytesOf, meaningOf, save } from './files.js';
 import { listen } from './input.js';
 
+const LONG = 300; // milliseconds: what takes longer is named
 const SLOW = 90; // milliseconds: while something moves, a picture that takes longer is drawn coarser
 const COARSER = [{ samples: 0, divide: 1 }, { samples: 1, divide: 1 }, { samples: 1, divide: 2 }, { samples: 1, divide: 4 }];
 const SIZES = [[320, 180], [480, 270], [640, 360], [960, 540], [1280, 720]];
@@ -43,9 +44,17 @@ function showSizes() {
   $('size').selectedIndex = Math.max(0, chosen);
 }
 
+/** Names what is waited for where it takes long: baking an environment takes a second or two. */
+async function waited(work, line) {
+  const timer = setTimeout(() => { $('numbers').textContent = line; }, LONG);
+  try {
+    return await work;
+  } finally { clearTimeout(timer); }
+}
+
 /** Read the scene with these changes; where that fails everything stays as it was. */
 async function open(path, changes) {
-  const scene = await engine.call('open', path, [...changes.values()]);
+  const scene = await waited(engine.call('open', path, [...changes.values()]), 'Reading the scene …');
   const isOther = path !== page.path;
   Object.assign(page, { path, changes, scene, dirty: true });
   const camera = [...changes.keys()].some((key) => key.startsWith('camera.')) || !hand.moved;
@@ -103,13 +112,15 @@ async function draw() {
   const { samples, divide } = COARSER[isMoving ? page.coarse : 0];
   page.dirty = isMoving && page.coarse > 0;
   const size = [Math.max(1, Math.round(width / divide)), Math.max(1, Math.round(height / divide))];
-  const answer = await engine.call('draw', hand.pose(), ...size, samples, $('view').value);
+  const drawing = engine.call('draw', hand.pose(), ...size, samples, $('view').value);
+  const answer = await waited(drawing, page.drawn === 0 ? 'Drawing the first picture …' : 'Drawing …');
   if (isMoving && answer.whole_ms > SLOW && page.coarse < COARSER.length - 1) page.coarse += 1;
   if (canvas.width !== answer.width) canvas.width = answer.width;
   if (canvas.height !== answer.height) canvas.height = answer.height;
   $('frame').style.setProperty('--aspect', answer.width / answer.height);
   screen.putImageData(new ImageData(new Uint8ClampedArray(answer.rgba), answer.width, answer.height), 0, 0);
   page.drawn += 1;
+  $('poster')?.remove(); // the site's picture of this scene, shown until here
   page.crashes = 0;
   showNumbers(answer);
   if (!document.documentElement.dataset.film && !$('view').value) {
@@ -280,6 +291,7 @@ async function givenScene() {
   return given;
 }
 
+await new Promise((resolve) => setTimeout(resolve)); // what the page holds so far is seen before it is busy
 const engine = new Engine(source('worker'), source('glue'), await unpackModule(source('wasm')), afterCrash);
 globalThis.kreda = { engine, page, hand }; // for whoever looks with the browser's tools
 const step = listen(canvas, hand, { changed: touched, clicked, key });
