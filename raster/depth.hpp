@@ -39,12 +39,22 @@ inline float depth_of_row(const DepthPlane& plane, std::int32_t y) {
     return plane.z0 + plane.dz_dy * d_y;
 }
 
-/// Depth at the centre of sample x of a row.
-inline float depth_at(const DepthPlane& plane, float row_depth, std::int32_t x) {
+/// The part that one column shares: dz/dx (x - x0), at the centre of column x.
+inline float depth_of_column(const DepthPlane& plane, std::int32_t x) {
     const float d_x = static_cast<float>(x * kSubpixels + kPixelCentre - plane.x0) * (1.0f / kSubpixels);
-    const float z = row_depth + plane.dz_dx * d_x;
+    return plane.dz_dx * d_x;
+}
+
+/// Depth at the centre of a sample from what its row and its column share.
+inline float depth_from(const DepthPlane& plane, float row_depth, float column_depth) {
+    const float z = row_depth + column_depth;
     const float not_nearer = z < plane.z_min ? plane.z_min : z;
     return not_nearer > plane.z_max ? plane.z_max : not_nearer;
+}
+
+/// Depth at the centre of sample x of a row.
+inline float depth_at(const DepthPlane& plane, float row_depth, std::int32_t x) {
+    return depth_from(plane, row_depth, depth_of_column(plane, x));
 }
 
 }  // namespace kreda::raster

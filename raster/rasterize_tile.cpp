@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "raster/depth.hpp"
+#include "raster/farthest_depth.hpp"
 #include "raster/platform.hpp"
 #include "raster/sample_edges.hpp"
 #include "raster/screen_lanes.hpp"
@@ -12,9 +13,6 @@
 namespace kreda::raster {
 
 namespace {
-
-/// Samples that are tested side by side. A constant, so that the compiler fills whole vector registers.
-constexpr int kLanes = 16;
 
 /// An edge function over one tile. Within it E / 256 changes by less than 2^30 (63 samples in x and y times steps below
 /// 2^23, see kGuardBand); a start value beyond +-2^30 can be cut there without changing any sign in the tile.
@@ -166,18 +164,38 @@ inline void draw_block(const SetupLanes& setup, int i, const TileArea& area, Til
     }
 }
 
-/// Edge tests and depth test for the samples of one triangle in one tile, row by row.
-inline void draw_rows(const TileTriangle& t, std::uint32_t id, const TileArea& area, TileVisibility& tile) {
-    const auto& [ab, bc, ca] = t.edges;
-    for (int y = t.box.y_first; y <= t.box.y_last; ++y) {
-        const float row_depth = depth_of_row(t.depth, area.y + y);
-        for (int x = t.box.x_first & -kLanes; x < t.box.x_end; x += kLanes) {
-            const std::int32_t e_ab = edge_at(ab, x, y), e_bc = edge_at(bc, x, y), e_ca = edge_at(ca, x, y);
+/// Sixteen columns of samples: what x says of a triangle's edges and depth there.
+struct ColumnLanes {
+    alignas(64) std::int32_t ab[kSampleLanes];
+    alignas(64) std::int32_t bc[kSampleLanes];
+    alignas(64) std::int32_t ca[kSampleLanes];
+    alignas(64) float depth[kSampleLanes];
+};
+
+inline ColumnLanes columns_from(const TileTriangle& t, int x, int x_of_tile) {
+    ColumnLanes columns;
+    for (int i = 0; i < kSampleLanes; ++i) {
+        columns.ab[i] = edge_at(t.edges.ab, x + i, 0);
+        columns.bc[i] = edge_at(t.edges.bc, x + i, 0);
+        columns.ca[i] = edge_at(t.edges.ca, x + i, 0);
+        columns.depth[i] = depth_of_column(t.depth, x_of_tile + x + i);
+    }
+    return columns;
+}
+
+/// Edge tests and depth test for the samples of one triangle in one tile: sixteen columns from the top down, then the
+/// next sixteen, so that what x says is computed once for all rows.
+inline void draw_columns(const TileTriangle& t, std::uint32_t id, TileArea area, TileVisibility& tile) {
+    for (int x = t.box.x_first & -kSampleLanes; x < t.box.x_end; x += kSampleLanes) {
+        const ColumnLanes columns = columns_from(t, x, area.x);
+        for (int y = t.box.y_first; y <= t.box.y_last; ++y) {
+            const float row_depth = depth_of_row(t.depth, area.y + y);
+            const std::int32_t ab = t.edges.ab.step_y * y, bc = t.edges.bc.step_y * y, ca = t.edges.ca.step_y * y;
             float* depth = &tile.depth[y * kTileSide + x];
             std::uint32_t* triangle = &tile.triangle[y * kTileSide + x];
-            for (int i = 0; i < kLanes; ++i) {
-                const std::int32_t inside = (e_ab + ab.step_x * i) | (e_bc + bc.step_x * i) | (e_ca + ca.step_x * i);
-                const float z = depth_at(t.depth, row_depth, area.x + x + i);
+            for (int i = 0; i < kSampleLanes; ++i) {
+                const std::int32_t inside = (columns.ab[i] + ab) | (columns.bc[i] + bc) | (columns.ca[i] + ca);
+                const float z = depth_from(t.depth, row_depth, columns.depth[i]);
                 const float nearest = depth[i];  // both are read in any case, so that clang vectorizes, too
                 const std::uint32_t drawn = triangle[i];
                 const bool visible = (inside >= 0) & (z < nearest);
@@ -188,42 +206,12 @@ inline void draw_rows(const TileTriangle& t, std::uint32_t id, const TileArea& a
     }
 }
 
-/// A hierarchy of two levels: the depth of each sample, and one that none of the tile's lies behind. A triangle that is
-/// nowhere nearer than that is hidden, and its samples are not asked.                    after Greene, Kass & Miller
-/// 1993
-struct FarthestDepth {
-    float z = kInfinity;
-    int drawn = 0;  ///< samples in the boxes of triangles since it was looked for; each may have come nearer
-
-    [[nodiscard]] bool hides(float nearest) const {
-        return nearest >= z;  // equal depths: the first stays
-    }
-};
-
-/// It is looked for each time that triangles whose boxes cover the tile four times over were drawn.
-constexpr int kSamplesBetweenLooks = 4 * kTileSide * kTileSide;
-
-/// The farthest depth of the samples of the tile, which may end within its memory.
-inline float farthest_depth(const TileArea& area, const TileVisibility& tile) {
-    float farthest[kLanes] = {};
-    for (int y = 0; y < area.height; ++y) {
-        for (int x = 0; x < area.width; x += kLanes) {
-            const float* depth = &tile.depth[y * kTileSide + x];
-            for (int i = 0; i < kLanes; ++i) {
-                const float z = x + i < area.width ? depth[i] : 0.0f;
-                farthest[i] = z > farthest[i] ? z : farthest[i];
-            }
-        }
-    }
-    return *std::max_element(farthest, farthest + kLanes);
-}
-
 /// Draw a triangle that is larger than a block, unless all that is there is nearer.
 inline void draw_large(const SetupLanes& setup, int i, const TileArea& area, FarthestDepth& farthest,
                        TileVisibility& tile) {
     if (farthest.hides(setup.z_min[i])) return;
     const TileTriangle t = setup.at(i);
-    draw_rows(t, setup.id[i], area, tile);
+    draw_columns(t, setup.id[i], area, tile);
     farthest.drawn += (t.box.x_end - t.box.x_first) * (t.box.y_last - t.box.y_first + 1);
     if (farthest.drawn >= kSamplesBetweenLooks) farthest = {farthest_depth(area, tile), 0};
 }

@@ -8,17 +8,33 @@
 
 namespace kreda::lighting {
 
-/// The way to the light that is being added, unit, at point i: l and n.l. Requires n.
+/// The way to the light that is being added, unit, at point i: l and n.l. Requires n, and that l is not even.
 inline void set_direction_to_light(LightingChannels& c, int i, const glm::vec3& l) {
-    c.l.set(i, l);
+    c.l.each.set(i, l);
     c.n_dot_l.set(i, glm::dot(c.n.at(i), l));
 }
 
-/// Add one light's reflection at point i to the sums.
-inline void add_terms(LightingChannels& c, int i, const ReflectedTerms& terms) {
-    const glm::vec3 s = c.irradiance.at(i);
-    c.diffuse.set(i, c.diffuse.at(i) + s * terms.diffuse);
-    c.specular.set(i, c.specular.at(i) + s * terms.specular);
+/// use(before), where before(sum, i) is what the lights before this one left in a sum at point i: 0 for the first.
+template <class Use>
+inline void with_sums(LightingChannels& c, Use use) {
+    const bool is_first = !c.is_lit;
+    c.is_lit = true;
+    if (is_first) return use([](const raster::Channel3&, int) { return glm::vec3(0.0f); });
+    use([](const raster::Channel3& sum, int i) { return sum.at(i); });
+}
+
+/// add(i, terms) for every point of the batch by `loop`: add one light's reflection to the sums.
+template <class Loop>
+inline void with_adder(LightingChannels& c, Loop loop) {
+    with_quantity(c.irradiance, [&](auto irradiance) {
+        with_sums(c, [&](auto before) {
+            loop([&c, irradiance, before](int i, const ReflectedTerms& terms) {
+                const glm::vec3 s = irradiance(i);
+                c.diffuse.set(i, before(c.diffuse, i) + s * terms.diffuse);
+                c.specular.set(i, before(c.specular, i) + s * terms.specular);
+            });
+        });
+    });
 }
 
 }  // namespace kreda::lighting

@@ -6,6 +6,31 @@
 
 namespace kreda::lighting {
 
+/// A vector or a colour at every point. Where it is the same at all of them it stands here once: no channel has to be
+/// written for it, and none read.
+struct EvenOrChannel {
+    bool is_even = false;   ///< the same everywhere: `even`
+    glm::vec3 even{0.0f};   ///< its value then
+    raster::Channel3 each;  ///< its value at each point otherwise
+
+    /// Its value at point i, in whichever way. Loops over a batch ask once, by with_quantity().
+    [[nodiscard]] glm::vec3 at(int i) const {
+        return is_even ? even : each.at(i);
+    }
+    /// The same everywhere from now on.
+    void set_all(const glm::vec3& v) {
+        is_even = true;
+        even = v;
+    }
+};
+
+/// use(value), where value(i) is the quantity at point i: two loops, one for each way.
+template <class Use>
+inline void with_quantity(const EvenOrChannel& quantity, Use use) {
+    if (quantity.is_even) return use([v = quantity.even](int) { return v; });
+    use([&quantity](int i) { return quantity.each.at(i); });
+}
+
 /// The quantities of the microfacet model at every point; they hold something only where the material is cook_torrance.
 struct MicrofacetChannels {
     raster::Channel3 albedo;                             ///< c, linear RGB
@@ -42,10 +67,9 @@ struct LightingChannels {
     raster::Channel3 n;             ///< unit normal
     raster::Channel3 v;             ///< unit, to the viewer
     raster::Channel3 t;             ///< unit, in the surface: the way scratches or threads run (ward, heidrich_seidel)
-    raster::Channel3 l;             ///< unit, to the light that is being added
-    raster::Channel3 irradiance;    ///< what that light sends, s(p); in shadow what the shadow leaves of it
-    bool one_l = false;             ///< l is the same at every point of every batch: a directional light
-    bool one_v = false;             ///< v is: a parallel projection
+    EvenOrChannel l;                ///< unit, to the light that is being added; even: a directional light
+    EvenOrChannel irradiance;       ///< what that light sends, s(p); in shadow what the shadow leaves of it
+    bool one_v = false;             ///< v is the same at every point: a parallel projection
     raster::Channel n_dot_l;        ///< of that light; negative where the surface faces away from it
     raster::Channel sigma;          ///< Sigma of that light; phong and blinn_phong
     raster::Channel
@@ -54,7 +78,8 @@ struct LightingChannels {
     raster::Channel
         blocker_distance;           ///< from a point back to what keeps that light from it, world units; only for views
     raster::Channel penumbra;       ///< width of that shadow's soft edge there, world units; only for views
-    raster::Channel3 ambient;       ///< s_A m_A + m_E and what the environment adds
+    EvenOrChannel ambient;          ///< s_A m_A + m_E and what the environment adds
+    bool is_lit = false;            ///< a light was added: before, diffuse and specular hold nothing and count as 0
     raster::Channel3 diffuse;       ///< sum over lights of s m_D (l.n)
     raster::Channel3 specular;      ///< sum over lights of s m_S Sigma^h
     raster::Channel fog;            ///< f

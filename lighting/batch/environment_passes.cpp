@@ -87,7 +87,12 @@ KREDA_BATCH_LOOP void reflect_diffusely_from_map(int lanes, LightingChannels& c)
 
 KREDA_BATCH_LOOP void add_to_ambient(int lanes, LightingChannels& c) {
     const EnvironmentChannels& e = c.environment;
-    for (int i = 0; i < lanes; ++i) c.ambient.set(i, c.ambient.at(i) + e.diffuse.at(i) + e.specular.at(i));
+    with_quantity(c.ambient, [&](auto ambient) {
+        for (int i = 0; i < lanes; ++i) {  // 2 formulas
+            c.ambient.each.set(i, ambient(i) + e.diffuse.at(i) + e.specular.at(i));
+        }
+    });
+    c.ambient.is_even = false;
 }
 
 /// E; 0 where it is not baked: metals alone reflect nothing diffusely.

@@ -95,7 +95,7 @@ KREDA_BATCH_LOOP void set_facet_density(int lanes, const MicrofacetChannels& m, 
 
 /// L along c.l into e.prefiltered, and how likely that direction is to be chosen.
 void look_along(int count, const EnvironmentSetup& setup, LightingChannels& c, SampleDensities& p) {
-    look_at_environment(count, setup, c.l, c.environment);
+    look_at_environment(count, setup, c.l.each, c.environment);
     set_light_density(lanes_for(count), setup.maps->light, c.environment, p);
 }
 
@@ -213,6 +213,7 @@ void sum_environment(int count, const CookTorranceSetup& surface, const Environm
     const bool bounces = surface.energy_compensation == EnergyCompensation::kulla_conty;
     SampleDensities p;
     SampleSums sums;
+    c.l.is_even = false;
     start_reference(lanes, c.environment);
     start_error(lanes, c.environment);
     const auto look = [&] {
@@ -249,6 +250,7 @@ void sum_irradiance(int count, const EnvironmentSetup& setup, LightingChannels& 
     const float share = 1.0f / static_cast<float>(setup.reference_samples);
     SampleDensities p;
     SampleSums sums;
+    c.l.is_even = false;
     start_irradiance(lanes, c.environment);
     start_error(lanes, c.environment);
     const auto add = [&] {

@@ -25,13 +25,15 @@ KREDA_BATCH_LOOP void set_n_dot_v(int lanes, LightingChannels& c) {
 
 KREDA_BATCH_LOOP void set_angles(int lanes, LightingChannels& c) {
     MicrofacetChannels& m = c.microfacet;
-    for (int i = 0; i < lanes; ++i) {
-        const HalfVectorAngles a = half_vector_angles(c.n.at(i), c.l.at(i), c.v.at(i));
-        m.n_dot_l.set(i, raster::saturate(c.n_dot_l.at(i)));
-        m.n_dot_h.set(i, a.n_dot_h);
-        m.v_dot_h.set(i, a.v_dot_h);
-        m.sin2_h.set(i, a.sin2_h);
-    }
+    with_quantity(c.l, [&](auto l) {
+        for (int i = 0; i < lanes; ++i) {  // 2 formulas
+            const HalfVectorAngles a = half_vector_angles(c.n.at(i), l(i), c.v.at(i));
+            m.n_dot_l.set(i, raster::saturate(c.n_dot_l.at(i)));
+            m.n_dot_h.set(i, a.n_dot_h);
+            m.v_dot_h.set(i, a.v_dot_h);
+            m.sin2_h.set(i, a.sin2_h);
+        }
+    });
 }
 
 KREDA_BATCH_LOOP void set_distribution(int lanes, Distribution distribution, MicrofacetChannels& m) {
@@ -85,11 +87,11 @@ void set_fresnel(int lanes, const CookTorranceSetup& setup, MicrofacetChannels& 
 
 KREDA_BATCH_LOOP void add_light(int lanes, LightingChannels& c) {
     const MicrofacetChannels& m = c.microfacet;
-    for (int i = 0; i < lanes; ++i) {
-        const ReflectedTerms terms =
-            combine_terms(m.n_dot_l.at(i), m.D.at(i), m.V.at(i), m.F.at(i), m.albedo.at(i), m.metallic.at(i));
-        add_terms(c, i, terms);
-    }
+    with_adder(c, [&](auto add) {
+        for (int i = 0; i < lanes; ++i) {  // 4 formulas
+            add(i, combine_terms(m.n_dot_l.at(i), m.D.at(i), m.V.at(i), m.F.at(i), m.albedo.at(i), m.metallic.at(i)));
+        }
+    });
 }
 
 KREDA_BATCH_LOOP void add_compensation(int lanes, const CookTorranceSetup& setup, LightingChannels& c) {

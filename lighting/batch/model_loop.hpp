@@ -11,15 +11,17 @@ namespace kreda::lighting {
 /// material at point i has m_D = channels.m_D.
 template <class Model>
 inline void add_model(int lanes, PhongMaterial m, bool diffuse_from_map, LightingChannels& c, Model model) {
-    if (!diffuse_from_map) {
-        for (int i = 0; i < lanes; ++i) add_terms(c, i, model(i, m));
-        return;
-    }
-    for (int i = 0; i < lanes; ++i) {
-        PhongMaterial here = m;
-        here.diffuse = c.m_D.at(i);
-        add_terms(c, i, model(i, here));
-    }
+    with_adder(c, [&](auto add) {
+        if (!diffuse_from_map) {
+            for (int i = 0; i < lanes; ++i) add(i, model(i, m));
+            return;
+        }
+        for (int i = 0; i < lanes; ++i) {
+            PhongMaterial here = m;
+            here.diffuse = c.m_D.at(i);
+            add(i, model(i, here));
+        }
+    });
 }
 
 }  // namespace kreda::lighting

@@ -31,10 +31,9 @@ KREDA_BATCH_LOOP void same_view_everywhere(int lanes, glm::vec3 v, LightingChann
     for (int i = 0; i < lanes; ++i) c.v.set(i, v);
 }
 
-/// What is there without any light: s_A m_A + m_E, and nothing reflected yet.
-KREDA_BATCH_LOOP void start_terms(int lanes, glm::vec3 ambient_and_emission, LightingChannels& c) {
-    for (int i = 0; i < lanes; ++i) {
-        c.ambient.set(i, ambient_and_emission);
+/// Nothing reflected.
+KREDA_BATCH_LOOP void clear_sums(int lanes, LightingChannels& c) {
+    for (int i = 0; i < lanes; ++i) {  // not vectorized: GCC makes it calls of memset
         c.diffuse.set(i, glm::vec3(0.0f));
         c.specular.set(i, glm::vec3(0.0f));
     }
@@ -42,22 +41,36 @@ KREDA_BATCH_LOOP void start_terms(int lanes, glm::vec3 ambient_and_emission, Lig
 
 /// Where a map says how much each point emits: m_E is the map times the constant.
 KREDA_BATCH_LOOP void add_emission_of_map(int lanes, glm::vec3 constant, LightingChannels& c) {
-    for (int i = 0; i < lanes; ++i) c.ambient.set(i, c.ambient.at(i) + constant * c.map_emission.at(i));
+    with_quantity(c.ambient, [&](auto ambient) {
+        for (int i = 0; i < lanes; ++i) {  // 2 formulas
+            c.ambient.each.set(i, ambient(i) + constant * c.map_emission.at(i));
+        }
+    });
+    c.ambient.is_even = false;
 }
 
 /// Unlit: what the map shows, and m_E.
 KREDA_BATCH_LOOP void shine_by_map(int lanes, glm::vec3 m_E, LightingChannels& c) {
-    for (int i = 0; i < lanes; ++i) c.ambient.set(i, c.m_D.at(i) + m_E);
+    c.ambient.is_even = false;
+    for (int i = 0; i < lanes; ++i) c.ambient.each.set(i, c.m_D.at(i) + m_E);
 }
 
 /// What one light sends to point i.
 inline void set_light(LightingChannels& c, int i, const LightSample& s) {
-    c.irradiance.set(i, s.irradiance);
+    c.irradiance.each.set(i, s.irradiance);
     set_direction_to_light(c, i, s.l);
 }
 
-KREDA_BATCH_LOOP void sample_directional_light(int lanes, LightSetup light, LightingChannels& c) {
-    for (int i = 0; i < lanes; ++i) set_light(c, i, sample_directional(light));
+KREDA_BATCH_LOOP void set_n_dot_l(int lanes, glm::vec3 l, LightingChannels& c) {
+    for (int i = 0; i < lanes; ++i) c.n_dot_l.set(i, glm::dot(c.n.at(i), l));
+}
+
+/// l and s are the same at every point: n.l alone is a channel.
+void sample_directional_light(int lanes, const LightSetup& light, LightingChannels& c) {
+    const LightSample s = sample_directional(light);
+    c.l.set_all(s.l);
+    c.irradiance.set_all(s.irradiance);
+    set_n_dot_l(lanes, s.l, c);
 }
 
 KREDA_BATCH_LOOP void sample_point_light(const Fragments& f, int lanes, LightSetup light, LightingChannels& c) {
@@ -76,8 +89,10 @@ KREDA_BATCH_LOOP int lanes_facing_light(int lanes, const LightingChannels& c) {
 }
 
 KREDA_BATCH_LOOP void add_lambert(int lanes, const PhongMaterial& material, bool map, LightingChannels& c) {
-    add_model(lanes, material, map, c,
-              [&c](int i, const PhongMaterial& m) { return lambert(c.n.at(i), c.l.at(i), m); });
+    with_quantity(c.l, [&](auto l) {
+        add_model(lanes, material, map, c,
+                  [&c, l](int i, const PhongMaterial& m) { return lambert(c.n.at(i), l(i), m); });
+    });
 }
 
 /// use(Sigma), where Sigma(n, l, v, n_dot_l) is the measure of reflection of Phong's model or of Blinn's.
@@ -95,9 +110,11 @@ inline void with_sigma(ReflectionModel model, Use use) {
 
 KREDA_BATCH_LOOP void set_sigma(int lanes, ReflectionModel model, LightingChannels& c) {
     with_sigma(model, [&](auto Sigma) {
-        for (int i = 0; i < lanes; ++i) {  // 2 formulas
-            c.sigma.set(i, Sigma(c.n.at(i), c.l.at(i), c.v.at(i), c.n_dot_l.at(i)));
-        }
+        with_quantity(c.l, [&](auto l) {
+            for (int i = 0; i < lanes; ++i) {  // 4 formulas
+                c.sigma.set(i, Sigma(c.n.at(i), l(i), c.v.at(i), c.n_dot_l.at(i)));
+            }
+        });
     });
 }
 
@@ -146,8 +163,8 @@ KREDA_BATCH_LOOP void add_phong_terms(int lanes, const PhongMaterial& material, 
 
 /// Phong and Blinn-Phong: phong() and blinn_phong(), pass by pass.
 void add_highlights(int lanes, const Material& material, bool map, LightingChannels& c) {
-    if (material.model == ReflectionModel::blinn_phong && c.one_l && c.one_v)
-        set_sigma_of_one_h(lanes, half_vector(c.l.at(0), c.v.at(0)), c);
+    if (material.model == ReflectionModel::blinn_phong && c.l.is_even && c.one_v)
+        set_sigma_of_one_h(lanes, half_vector(c.l.even, c.v.at(0)), c);
     else
         set_sigma(lanes, material.model, c);
     if (any_highlight(lanes, material.phong.shininess, c))
@@ -158,11 +175,18 @@ void add_highlights(int lanes, const Material& material, bool map, LightingChann
 }
 
 KREDA_BATCH_LOOP void shadow_irradiance(int lanes, LightingChannels& c) {
-    for (int i = 0; i < lanes; ++i) c.irradiance.set(i, c.shadow.at(i) * c.irradiance.at(i));
+    with_quantity(c.irradiance, [&](auto s) {
+        for (int i = 0; i < lanes; ++i) c.irradiance.each.set(i, c.shadow.at(i) * s(i));  // 2 formulas
+    });
+    c.irradiance.is_even = false;
 }
 
 KREDA_BATCH_LOOP void add_up(int lanes, LightingChannels& c) {
-    for (int i = 0; i < lanes; ++i) c.radiance.set(i, c.ambient.at(i) + c.diffuse.at(i) + c.specular.at(i));
+    with_quantity(c.ambient, [&](auto ambient) {
+        for (int i = 0; i < lanes; ++i) {  // 2 formulas
+            c.radiance.set(i, ambient(i) + c.diffuse.at(i) + c.specular.at(i));
+        }
+    });
 }
 
 /// m_E where it is the same at every point; a map adds its own.
@@ -227,7 +251,8 @@ void forget_steps(LightingChannels& c) {
 /// One point: the whole formula.
 void add_whole_reflection(const MaterialSetup& material, LightingChannels& c) {
     forget_steps(c);
-    add_terms(c, 0, reflect(material_at(material, c, 0), c.n.at(0), c.l.at(0), c.v.at(0)));
+    const ReflectedTerms terms = reflect(material_at(material, c, 0), c.n.at(0), c.l.at(0), c.v.at(0));
+    with_adder(c, [&](auto add) { add(0, terms); });
 }
 
 void add_reflection_by_passes(int count, const MaterialSetup& setup, LightingChannels& c) {
@@ -258,7 +283,8 @@ MaterialSetup prepare(const Material& material) {
 
 void start_surface(const Fragments& fragments, const MaterialSetup& material, const LightingSetup& setup,
                    LightingChannels& channels) {
-    start_terms(lanes_for(fragments.count), own_radiance(material, setup.ambient), channels);
+    channels.ambient.set_all(own_radiance(material, setup.ambient));
+    channels.is_lit = false;
     if (material.material.model != ReflectionModel::cook_torrance) return;
     fill_surface(fragments.count, material.cook_torrance, channels.microfacet);
 }
@@ -292,7 +318,7 @@ void start_lighting(const Fragments& fragments, const MaterialSetup& material, c
 
 void sample_light(const Fragments& fragments, const LightSetup& light, LightingChannels& channels) {
     const int lanes = lanes_for(fragments.count);
-    channels.one_l = light.type == LightType::directional;
+    channels.l.is_even = channels.irradiance.is_even = false;
     switch (light.type) {
         case LightType::directional: return sample_directional_light(lanes, light, channels);
         case LightType::point: return sample_point_light(fragments, lanes, light, channels);
@@ -323,7 +349,9 @@ void add_reflection(int count, const MaterialSetup& material, LeaveChannels leav
 }
 
 void sum_terms(int count, LightingChannels& channels) {
-    add_up(lanes_for(count), channels);
+    const int lanes = lanes_for(count);
+    if (!channels.is_lit) clear_sums(lanes, channels);
+    add_up(lanes, channels);
 }
 
 void copy_color(const Fragments& fragments, LightingChannels& channels) {

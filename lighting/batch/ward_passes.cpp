@@ -17,20 +17,26 @@ KREDA_BATCH_LOOP void set_tangents(int lanes, glm::vec3 grain, LightingChannels&
 }
 
 KREDA_BATCH_LOOP void add_ward_isotropic(int lanes, const PhongMaterial& material, bool map, LightingChannels& c) {
-    add_model(lanes, material, map, c,
-              [&c](int i, const PhongMaterial& m) { return ward(c.n.at(i), c.l.at(i), c.v.at(i), m); });
+    with_quantity(c.l, [&](auto l) {
+        add_model(lanes, material, map, c,
+                  [&c, l](int i, const PhongMaterial& m) { return ward(c.n.at(i), l(i), c.v.at(i), m); });
+    });
 }
 
 KREDA_BATCH_LOOP void add_ward_brushed(int lanes, const PhongMaterial& material, bool map, LightingChannels& c) {
     const glm::vec2 alpha = *material.ward_alpha;
-    add_model(lanes, material, map, c, [&c, alpha](int i, const PhongMaterial& m) {
-        return ward_brushed(c.n.at(i), c.t.at(i), c.l.at(i), c.v.at(i), m, alpha);
+    with_quantity(c.l, [&](auto l) {
+        add_model(lanes, material, map, c, [&c, l, alpha](int i, const PhongMaterial& m) {
+            return ward_brushed(c.n.at(i), c.t.at(i), l(i), c.v.at(i), m, alpha);
+        });
     });
 }
 
 KREDA_BATCH_LOOP void add_threads(int lanes, const PhongMaterial& material, bool map, LightingChannels& c) {
-    add_model(lanes, material, map, c, [&c](int i, const PhongMaterial& m) {
-        return heidrich_seidel(c.n.at(i), c.t.at(i), c.l.at(i), c.v.at(i), m);
+    with_quantity(c.l, [&](auto l) {
+        add_model(lanes, material, map, c, [&c, l](int i, const PhongMaterial& m) {
+            return heidrich_seidel(c.n.at(i), c.t.at(i), l(i), c.v.at(i), m);
+        });
     });
 }
 

@@ -2,6 +2,7 @@
 #include <cmath>
 #include <memory>
 #include <string>
+#include <vector>
 
 #include <doctest/doctest.h>
 
@@ -35,18 +36,23 @@ Light lamp() {
     return light;
 }
 
-/// Light `count` points of a bent surface, from the one with this number on; some face away from lamp and eye.
-void light(Batch& batch, const MaterialSetup& material, int first, int count, LeaveChannels leave) {
-    const LightSetup lamp_setup = prepare(lamp());
-    LightingSetup frame;
-    frame.eye = {0.3f, -1.0f, 4.0f};
-    frame.lights = {&lamp_setup, 1};
+/// `count` points of a bent surface, from the one with this number on.
+void place_points(Batch& batch, int first, int count) {
     batch.points->count = count;
     for (int i = 0; i < count; ++i) {
         const double angle = 2.0 * (first + i);
         batch.points->position.set(i, direction(angle, 11.0 * (first + i)));
         batch.points->normal.set(i, 1.7f * direction(3.0 * angle + 3.0, 11.0 * (first + i)));
     }
+}
+
+/// Light `count` points of a bent surface, from the one with this number on; some face away from lamp and eye.
+void light(Batch& batch, const MaterialSetup& material, int first, int count, LeaveChannels leave) {
+    const LightSetup lamp_setup = prepare(lamp());
+    LightingSetup frame;
+    frame.eye = {0.3f, -1.0f, 4.0f};
+    frame.lights = {&lamp_setup, 1};
+    place_points(batch, first, count);
     batch.channels->microfacet.D.set(0, -7.0f);  // what an earlier batch left
     batch.channels->sigma.set(0, -7.0f);
     start_lighting(*batch.points, material, frame, *batch.channels);
@@ -104,6 +110,60 @@ TEST_CASE("reflect: the passes over a batch give its bits whatever the model") {
         m.phong.shininess = 23.0f;
         m.phong.ward_alpha = glm::vec2(0.1f, 0.5f);
         check_batch(m);
+    }
+}
+
+TEST_CASE(
+    "reflect: lights of parallel rays, the same at every point, add what reflect() says, first or second, in shadow or "
+    "not") {
+    Light sun;
+    sun.direction = {0.3f, -0.2f, -1.0f};
+    sun.color = {0.9f, 0.7f, 0.4f};
+    static Batch batch;
+    LightingSetup frame;
+    frame.eye = {0.3f, -1.0f, 4.0f};
+    frame.ambient = {0.1f, 0.2f, 0.3f};
+    for (const ReflectionModel model :
+         {ReflectionModel::lambert, ReflectionModel::phong, ReflectionModel::blinn_phong, ReflectionModel::ward,
+          ReflectionModel::heidrich_seidel, ReflectionModel::cook_torrance}) {
+        CAPTURE(static_cast<int>(model));
+        Material m = with_model(model);
+        m.phong.ambient = {0.5f, 0.25f, 0.125f};
+        const MaterialSetup setup = prepare(m);
+        const PointMaterial material{m.model, m.phong, &setup.cook_torrance, setup.cook_torrance.surface};
+        for (const auto& lights : {std::vector<Light>{}, {sun}, {sun, lamp()}, {lamp(), sun}, {sun, sun}}) {
+            CAPTURE(lights.size());
+            for (const bool shadow : {false, true}) {
+                place_points(batch, 0, kPoints);
+                start_lighting(*batch.points, setup, frame, *batch.channels);
+                for (int i = 0; i < kPoints; ++i) batch.channels->shadow.set(i, 0.25f * static_cast<float>(i % 5));
+                for (const Light& light : lights) {
+                    sample_light(*batch.points, prepare(light), *batch.channels);
+                    if (shadow) shadow_light(kPoints, *batch.channels);
+                    add_reflection(kPoints, setup, LeaveChannels::only_of_batches, *batch.channels);
+                }
+                sum_terms(kPoints, *batch.channels);
+                int wrong = 0;
+                for (int i = 0; i < kPoints; ++i) {
+                    const glm::vec3 p = batch.points->position.at(i), n = unit(batch.points->normal.at(i));
+                    glm::vec3 diffuse(0.0f), specular(0.0f);
+                    for (const Light& light : lights) {
+                        const LightSample s = sample(light, p);
+                        const ReflectedTerms terms = reflect(material, n, s.l, unit(frame.eye - p));
+                        const float share = 0.25f * static_cast<float>(i % 5);
+                        const glm::vec3 irradiance = shadow ? share * s.irradiance : s.irradiance;
+                        diffuse = diffuse + irradiance * terms.diffuse;
+                        specular = specular + irradiance * terms.specular;
+                    }
+                    const bool knows_ambient = model != ReflectionModel::cook_torrance;
+                    const glm::vec3 ambient =
+                        knows_ambient ? ambient_term(frame.ambient, m.phong.ambient) : glm::vec3(0.0f);
+                    wrong += batch.channels->radiance.at(i) != ambient + diffuse + specular;
+                    wrong += batch.channels->ambient.at(i) != ambient;
+                }
+                CHECK(wrong == 0);
+            }
+        }
     }
 }
 

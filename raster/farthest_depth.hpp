@@ -1,0 +1,45 @@
+// The farthest depth of a tile: what lies behind it is hidden and needs no look at its samples.
+#pragma once
+
+#include <algorithm>
+
+#include "raster/rasterize_tile.hpp"
+#include "raster/scalar_math.hpp"
+
+namespace kreda::raster {
+
+/// Samples that are tested side by side. A constant, so that the compiler fills whole vector registers.
+inline constexpr int kSampleLanes = 16;
+
+/// A hierarchy of two levels: the depth of each sample, and one that none of the tile's lies behind. A triangle that is
+/// nowhere nearer than that is hidden, and its samples are not asked.                    after Greene, Kass & Miller
+/// 1993
+struct FarthestDepth {
+    float z = kInfinity;  ///< at least the depth of every sample of the tile
+    int drawn = 0;        ///< samples in the boxes of triangles since it was looked for; each may have come nearer
+
+    /// Is a triangle hidden whose nearest corner has that depth?
+    [[nodiscard]] bool hides(float nearest) const {
+        return nearest >= z;  // equal depths: the first stays
+    }
+};
+
+/// It is looked for each time that triangles whose boxes cover the tile four times over were drawn.
+inline constexpr int kSamplesBetweenLooks = 4 * kTileSide * kTileSide;
+
+/// The farthest depth of the samples of the tile, which may end within its memory.
+inline float farthest_depth(const TileArea& area, const TileVisibility& tile) {
+    float farthest[kSampleLanes] = {};
+    for (int y = 0; y < area.height; ++y) {
+        for (int x = 0; x < area.width; x += kSampleLanes) {
+            const float* depth = &tile.depth[y * kTileSide + x];
+            for (int i = 0; i < kSampleLanes; ++i) {
+                const float z = x + i < area.width ? depth[i] : 0.0f;
+                farthest[i] = z > farthest[i] ? z : farthest[i];
+            }
+        }
+    }
+    return *std::max_element(farthest, farthest + kSampleLanes);
+}
+
+}  // namespace kreda::raster
