@@ -23,11 +23,23 @@ inline void with_sums(LightingChannels& c, Use use) {
     use([](const raster::Channel3& sum, int i) { return sum.at(i); });
 }
 
-/// add(i, terms) for every point of the batch by `loop`: add one light's reflection to the sums.
+/// add(i, terms) for every point of the batch by `loop`: add one light's reflection to the sums. Where it is the last
+/// one and nobody looks at the sums, they are no channels: radiance is, at once.
 template <class Loop>
 inline void with_adder(LightingChannels& c, Loop loop) {
+    const bool to_radiance = c.is_last && c.ambient.is_even;
+    const glm::vec3 ambient = c.ambient.even;
+    c.is_summed = to_radiance;
     with_quantity(c.irradiance, [&](auto irradiance) {
         with_sums(c, [&](auto before) {
+            if (to_radiance) {
+                return loop([&c, irradiance, before, ambient](int i, const ReflectedTerms& terms) {
+                    const glm::vec3 s = irradiance(i);
+                    const glm::vec3 diffuse = before(c.diffuse, i) + s * terms.diffuse;
+                    const glm::vec3 specular = before(c.specular, i) + s * terms.specular;
+                    c.radiance.set(i, ambient + diffuse + specular);
+                });
+            }
             loop([&c, irradiance, before](int i, const ReflectedTerms& terms) {
                 const glm::vec3 s = irradiance(i);
                 c.diffuse.set(i, before(c.diffuse, i) + s * terms.diffuse);

@@ -76,15 +76,17 @@ struct LightingChannels {
         highlight;           ///< Sigma^h of that light, 0 where the surface faces away from it; phong and blinn_phong
     raster::Channel shadow;  ///< of that light: 1 lit .. 0 in full shadow; only where it casts shadows
     raster::Channel
-        blocker_distance;           ///< from a point back to what keeps that light from it, world units; only for views
-    raster::Channel penumbra;       ///< width of that shadow's soft edge there, world units; only for views
-    EvenOrChannel ambient;          ///< s_A m_A + m_E and what the environment adds
-    bool is_lit = false;            ///< a light was added: before, diffuse and specular hold nothing and count as 0
-    raster::Channel3 diffuse;       ///< sum over lights of s m_D (l.n)
-    raster::Channel3 specular;      ///< sum over lights of s m_S Sigma^h
-    raster::Channel fog;            ///< f
-    raster::Channel3 radiance;      ///< what leaves toward the viewer: linear RGB
-    MicrofacetChannels microfacet;  ///< cook_torrance only
+        blocker_distance;      ///< from a point back to what keeps that light from it, world units; only for views
+    raster::Channel penumbra;  ///< width of that shadow's soft edge there, world units; only for views
+    EvenOrChannel ambient;     ///< s_A m_A + m_E and what the environment adds
+    bool is_lit = false;       ///< a light was added: before, diffuse and specular hold nothing and count as 0
+    bool is_last = false;      ///< no light follows, and nobody looks at diffuse and specular: radiance alone is wanted
+    bool is_summed = false;    ///< radiance holds the sum already
+    raster::Channel3 diffuse;  ///< sum over lights of s m_D (l.n)
+    raster::Channel3 specular;        ///< sum over lights of s m_S Sigma^h
+    raster::Channel fog;              ///< f
+    raster::Channel3 radiance;        ///< what leaves toward the viewer: linear RGB
+    MicrofacetChannels microfacet;    ///< cook_torrance only
     EnvironmentChannels environment;  ///< only with an environment
 };
 

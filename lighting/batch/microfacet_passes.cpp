@@ -88,7 +88,7 @@ void set_fresnel(int lanes, const CookTorranceSetup& setup, MicrofacetChannels& 
 KREDA_BATCH_LOOP void add_light(int lanes, LightingChannels& c) {
     const MicrofacetChannels& m = c.microfacet;
     with_adder(c, [&](auto add) {
-        for (int i = 0; i < lanes; ++i) {  // 4 formulas
+        for (int i = 0; i < lanes; ++i) {  // 8 formulas
             add(i, combine_terms(m.n_dot_l.at(i), m.D.at(i), m.V.at(i), m.F.at(i), m.albedo.at(i), m.metallic.at(i)));
         }
     });
@@ -126,9 +126,11 @@ void evaluate_fresnel(int count, const CookTorranceSetup& setup, MicrofacetChann
 
 void add_cook_torrance(int count, const CookTorranceSetup& setup, LightingChannels& channels) {
     const int lanes = lanes_for(count);
+    const bool compensates = setup.energy_compensation == EnergyCompensation::kulla_conty;
+    if (compensates) channels.is_last = false;  // something follows
     evaluate_microfacets(count, setup, LitBy::lamp, channels);
     add_light(lanes, channels);
-    if (setup.energy_compensation == EnergyCompensation::kulla_conty) add_compensation(lanes, setup, channels);
+    if (compensates) add_compensation(lanes, setup, channels);
 }
 
 }  // namespace kreda::lighting

@@ -89,10 +89,8 @@ KREDA_BATCH_LOOP int lanes_facing_light(int lanes, const LightingChannels& c) {
 }
 
 KREDA_BATCH_LOOP void add_lambert(int lanes, const PhongMaterial& material, bool map, LightingChannels& c) {
-    with_quantity(c.l, [&](auto l) {
-        add_model(lanes, material, map, c,
-                  [&c, l](int i, const PhongMaterial& m) { return lambert(c.n.at(i), l(i), m); });
-    });
+    add_model(lanes, material, map, c,
+              [&c](int i, const PhongMaterial& m) { return lambert(c.n.at(i), c.l.at(i), m); });
 }
 
 /// use(Sigma), where Sigma(n, l, v, n_dot_l) is the measure of reflection of Phong's model or of Blinn's.
@@ -284,7 +282,7 @@ MaterialSetup prepare(const Material& material) {
 void start_surface(const Fragments& fragments, const MaterialSetup& material, const LightingSetup& setup,
                    LightingChannels& channels) {
     channels.ambient.set_all(own_radiance(material, setup.ambient));
-    channels.is_lit = false;
+    channels.is_lit = channels.is_summed = false;
     if (material.material.model != ReflectionModel::cook_torrance) return;
     fill_surface(fragments.count, material.cook_torrance, channels.microfacet);
 }
@@ -342,13 +340,16 @@ PointMaterial material_at(const MaterialSetup& setup, const LightingChannels& c,
 }
 
 void add_reflection(int count, const MaterialSetup& material, LeaveChannels leave, LightingChannels& channels) {
-    if (count == 1 && leave == LeaveChannels::only_of_batches)
+    const bool is_whole = count == 1 && leave != LeaveChannels::always;
+    channels.is_last = leave == LeaveChannels::only_radiance && !is_whole;
+    if (is_whole)
         add_whole_reflection(material, channels);
     else
         add_reflection_by_passes(count, material, channels);
 }
 
 void sum_terms(int count, LightingChannels& channels) {
+    if (channels.is_summed) return;
     const int lanes = lanes_for(count);
     if (!channels.is_lit) clear_sums(lanes, channels);
     add_up(lanes, channels);

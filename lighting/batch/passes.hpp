@@ -46,8 +46,9 @@ void shadow_light(int count, LightingChannels& channels);
 
 /// Whether the steps of the formula leave their channels (sigma, highlight, D, V, F and their angles).
 enum class LeaveChannels {
-    always,          ///< somebody looks at them: a view, a picture of a stage
-    only_of_batches  ///< a batch of one point runs reflect(), whole, and leaves 0 there
+    always,           ///< somebody looks at them: a view, a picture of a stage
+    only_of_batches,  ///< a batch of one point runs reflect(), whole, and leaves 0 there
+    only_radiance     ///< the same, and no light follows: a batch may leave the sum of the terms instead of them
 };
 
 /// Add what the material reflects of that light to diffuse and specular. The bits are the same either way.

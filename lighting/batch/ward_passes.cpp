@@ -16,27 +16,28 @@ KREDA_BATCH_LOOP void set_tangents(int lanes, glm::vec3 grain, LightingChannels&
     for (int i = 0; i < lanes; ++i) c.t.set(i, tangent_of_grain(grain, c.n.at(i)));
 }
 
+/// l as a channel even where it is the same at every point: these models are rare, and compiled for that alone.
+KREDA_BATCH_LOOP void spread_direction(int lanes, LightingChannels& c) {
+    const glm::vec3 l = c.l.even;
+    for (int i = 0; i < lanes; ++i) c.l.each.set(i, l);
+    c.l.is_even = false;
+}
+
 KREDA_BATCH_LOOP void add_ward_isotropic(int lanes, const PhongMaterial& material, bool map, LightingChannels& c) {
-    with_quantity(c.l, [&](auto l) {
-        add_model(lanes, material, map, c,
-                  [&c, l](int i, const PhongMaterial& m) { return ward(c.n.at(i), l(i), c.v.at(i), m); });
-    });
+    add_model(lanes, material, map, c,
+              [&c](int i, const PhongMaterial& m) { return ward(c.n.at(i), c.l.each.at(i), c.v.at(i), m); });
 }
 
 KREDA_BATCH_LOOP void add_ward_brushed(int lanes, const PhongMaterial& material, bool map, LightingChannels& c) {
     const glm::vec2 alpha = *material.ward_alpha;
-    with_quantity(c.l, [&](auto l) {
-        add_model(lanes, material, map, c, [&c, l, alpha](int i, const PhongMaterial& m) {
-            return ward_brushed(c.n.at(i), c.t.at(i), l(i), c.v.at(i), m, alpha);
-        });
+    add_model(lanes, material, map, c, [&c, alpha](int i, const PhongMaterial& m) {
+        return ward_brushed(c.n.at(i), c.t.at(i), c.l.each.at(i), c.v.at(i), m, alpha);
     });
 }
 
 KREDA_BATCH_LOOP void add_threads(int lanes, const PhongMaterial& material, bool map, LightingChannels& c) {
-    with_quantity(c.l, [&](auto l) {
-        add_model(lanes, material, map, c, [&c, l](int i, const PhongMaterial& m) {
-            return heidrich_seidel(c.n.at(i), c.t.at(i), l(i), c.v.at(i), m);
-        });
+    add_model(lanes, material, map, c, [&c](int i, const PhongMaterial& m) {
+        return heidrich_seidel(c.n.at(i), c.t.at(i), c.l.each.at(i), c.v.at(i), m);
     });
 }
 
@@ -47,12 +48,16 @@ void set_grain(int count, const PhongMaterial& material, LightingChannels& chann
 }
 
 void add_ward(int count, const PhongMaterial& material, bool diffuse_from_map, LightingChannels& channels) {
-    if (material.ward_alpha) return add_ward_brushed(lanes_for(count), material, diffuse_from_map, channels);
-    add_ward_isotropic(lanes_for(count), material, diffuse_from_map, channels);
+    const int lanes = lanes_for(count);
+    if (channels.l.is_even) spread_direction(lanes, channels);
+    if (material.ward_alpha) return add_ward_brushed(lanes, material, diffuse_from_map, channels);
+    add_ward_isotropic(lanes, material, diffuse_from_map, channels);
 }
 
 void add_heidrich_seidel(int count, const PhongMaterial& material, bool diffuse_from_map, LightingChannels& channels) {
-    add_threads(lanes_for(count), material, diffuse_from_map, channels);
+    const int lanes = lanes_for(count);
+    if (channels.l.is_even) spread_direction(lanes, channels);
+    add_threads(lanes, material, diffuse_from_map, channels);
 }
 
 bool needs_grain(const Material& material) {

@@ -65,7 +65,9 @@ void add_light(const PassWork& work) {
         lighting::shadow_light(count, *work.channels);
     }
     using enum lighting::LeaveChannels;
-    lighting::add_reflection(count, surface_of(work), has_views ? always : only_of_batches, *work.channels);
+    const bool is_last = static_cast<std::size_t>(work.pass.index) + 1 == frame.lighting.lights.size();
+    const lighting::LeaveChannels without_views = is_last ? only_radiance : only_of_batches;
+    lighting::add_reflection(count, surface_of(work), has_views ? always : without_views, *work.channels);
 }
 
 }  // namespace kreda::scene

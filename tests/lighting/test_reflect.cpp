@@ -133,14 +133,17 @@ TEST_CASE(
         const PointMaterial material{m.model, m.phong, &setup.cook_torrance, setup.cook_torrance.surface};
         for (const auto& lights : {std::vector<Light>{}, {sun}, {sun, lamp()}, {lamp(), sun}, {sun, sun}}) {
             CAPTURE(lights.size());
-            for (const bool shadow : {false, true}) {
+            for (const int way : {0, 1, 2, 3}) {
+                const bool shadow = way % 2 != 0, ends_in_radiance = way >= 2;
                 place_points(batch, 0, kPoints);
                 start_lighting(*batch.points, setup, frame, *batch.channels);
                 for (int i = 0; i < kPoints; ++i) batch.channels->shadow.set(i, 0.25f * static_cast<float>(i % 5));
-                for (const Light& light : lights) {
-                    sample_light(*batch.points, prepare(light), *batch.channels);
+                for (std::size_t k = 0; k < lights.size(); ++k) {
+                    sample_light(*batch.points, prepare(lights[k]), *batch.channels);
                     if (shadow) shadow_light(kPoints, *batch.channels);
-                    add_reflection(kPoints, setup, LeaveChannels::only_of_batches, *batch.channels);
+                    using enum LeaveChannels;
+                    const LeaveChannels last = ends_in_radiance ? only_radiance : only_of_batches;
+                    add_reflection(kPoints, setup, k + 1 == lights.size() ? last : only_of_batches, *batch.channels);
                 }
                 sum_terms(kPoints, *batch.channels);
                 int wrong = 0;
