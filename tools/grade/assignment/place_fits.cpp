@@ -34,7 +34,7 @@ struct Counts {
 /// All ways of a mistake on one component.
 struct Component {
     const RubricStage* stage;
-    std::size_t column, index;
+    std::size_t column, index, of;
     [[nodiscard]] bool operator<(const Component& o) const {
         return std::tie(stage, column, index) < std::tie(o.stage, o.column, o.index);
     }
@@ -76,7 +76,8 @@ std::map<Component, WayCounts> counts_of(const Fits& fits, std::size_t mistake) 
             const StageTable& answers = fits.catalogue.answers.of(variant->second, i);
             for (std::size_t c = 0; c < answers.columns.size(); ++c) {
                 for (std::size_t k = 0; k < answers.columns[c].components; ++k) {
-                    count(fits, i, answers, c, k, counts[{&fits.marking.stage(i), c, k}][way]);
+                    count(fits, i, answers, c, k,
+                          counts[{&fits.marking.stage(i), c, k, answers.columns[c].components}][way]);
                 }
             }
         }
@@ -99,12 +100,18 @@ std::vector<PlaceFit> place_fits(const Fits& fits) {
     for (std::size_t m = 0; m < fits.catalogue.mistakes.size(); ++m) {
         PlaceFit fit{m};
         double wrong = 0.0, alike = 0.0, spoilt = 0.0;
+        bool is_partial = false;
         for (const auto& [component, ways] : counts_of(fits, m)) {
             const auto best = std::max_element(
                 ways.begin(), ways.end(), [](const auto& a, const auto& b) { return a.second.alike < b.second.alike; });
             const Counts& c = best->second;
             wrong += c.wrong;
             fit.of_picture = fit.of_picture || component.stage->picture;
+            // Colours and directions have three components, which a mistake spoils together.
+            const bool is_one_of_three = component.of == 3 && c.wrong <= 0.0;
+            is_partial = is_partial || (is_one_of_three && std::all_of(ways.begin(), ways.end(), [](const auto& way) {
+                                            return way.second.spoilt > 0.0;
+                                        }));
             // Many mistakes leave a surface unlit: what stays the same from pixel to pixel is no evidence.
             const bool is_flat = component.stage->picture && c.by_chance > 0.5 * c.alike;
             if (c.alike <= 0.0 || is_flat) continue;
@@ -113,7 +120,7 @@ std::vector<PlaceFit> place_fits(const Fits& fits) {
             const double chance = c.spoilt / c.all * (c.by_chance + 1.0) / (c.wrong + 1.0);
             fit.surprise += c.alike * -std::log2(std::min(chance, 1.0));
         }
-        fit.explained = wrong > 0.0 ? alike / wrong : 0.0;
+        fit.explained = wrong > 0.0 && !is_partial ? alike / wrong : 0.0;
         fit.reach = spoilt > 0.0 ? alike / spoilt : 0.0;
         found.push_back(fit);
     }
