@@ -41,7 +41,7 @@ bool is_finite(const Vector& v) {
 std::vector<glm::vec3> read_positions(const GltfFile& gltf, const tinygltf::Primitive& primitive) {
     const int accessor = attribute(primitive, "POSITION");
     if (accessor < 0) throw UserError(Place{gltf.text.json.file}, "a primitive has no POSITION");
-    const std::vector<glm::vec3> positions = read_vectors<glm::vec3>(gltf, accessor, "POSITION");
+    std::vector<glm::vec3> positions = read_vectors<glm::vec3>(gltf, accessor, "POSITION");
     for (std::size_t i = 0; i < positions.size(); ++i) {
         if (is_finite(positions[i])) continue;
         throw gltf_error(gltf.text, "accessors", static_cast<std::size_t>(accessor),

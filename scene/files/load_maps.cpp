@@ -186,7 +186,7 @@ raster::Image decoded_map(const std::string& path, const StoredImage& stored, Ma
     ColorChannels channels = color_channels(stored.channels, stored.alpha);
     if (channel > 0 && channels.count == 3) channels.index[0] = channels.index[static_cast<std::size_t>(channel)];
     Decoder decoder{kind, stored};
-    const raster::Image decoded = decode(channels, decoder);
+    raster::Image decoded = decode(channels, decoder);
     warn(path, channels, decoder, warnings);
     return decoded;
 }

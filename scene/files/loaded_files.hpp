@@ -80,7 +80,7 @@ template <class Thing, class Make>
     if (!files) return std::make_shared<const Thing>(make(from));
     if (std::shared_ptr<const Thing> kept = find_kept(*files, kind, key)) return kept;
     try {
-        const auto thing = std::make_shared<const Thing>(make(from));
+        auto thing = std::make_shared<const Thing>(make(from));
         keep(*files, kind, key, thing, from);
         return thing;
     } catch (...) {

@@ -105,15 +105,15 @@ std::string map_of_letter(const Words& words) {
 /// What the last two words say, or the last one, a number of one digit at its end left out: roughness2.
 std::string announced_by(const Words& words) {
     if (words.empty()) return "";
-    const std::string last = words.back();
+    const std::string& last = words.back();
     if (words.size() > 1) {
-        const std::string of_two = map_of_word(words[words.size() - 2] + last);
+        std::string of_two = map_of_word(words[words.size() - 2] + last);
         if (!of_two.empty()) return of_two;
     }
-    const std::string of_one = map_of_word(last);
+    std::string of_one = map_of_word(last);
     if (!of_one.empty()) return of_one;
     const bool has_digit = words.size() > 1 && last.size() > 2 && std::isdigit(static_cast<unsigned char>(last.back()));
-    const std::string of_rest = has_digit ? map_of_word(last.substr(0, last.size() - 1)) : "";
+    std::string of_rest = has_digit ? map_of_word(last.substr(0, last.size() - 1)) : "";
     return of_rest.empty() ? map_of_letter(words) : of_rest;
 }
 
@@ -155,7 +155,7 @@ std::string map_announced_by(const std::string& file_name) {
     const bool map_comes_first = words.size() > 2 && is_size(words[1]) && words[1].ends_with('k');  // Albedo_4K__abc
     const std::string first = map_comes_first ? map_of_word(words[0]) : "";
     drop_sizes(words);
-    const std::string map = announced_by(words);
+    std::string map = announced_by(words);
     if (!map.empty()) return map;
     Words humps = words_of(with_humps_apart(stem));
     drop_sizes(humps);

@@ -96,7 +96,7 @@ std::string without_comment(const std::string& name) {
 
 NamedPath resolve_named_path(const ObjText& text, std::size_t offset, const std::string& whole_name,
                              const NamedFileLimits& limits) {
-    const NamedPath found = find_path(text, offset, whole_name, limits);
+    NamedPath found = find_path(text, offset, whole_name, limits);
     if (!limits.used) return found;
     const std::string path = (fs::path(folder_of(text.file)) / with_slashes(whole_name)).string();
     limits.used->push_back(use_file(path, FileUse::presence));

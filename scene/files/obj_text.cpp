@@ -183,7 +183,7 @@ std::string_view ObjCursor::rest_of_text() {
 }
 
 bool ObjCursor::take_up_to(const char* p) {
-    const std::size_t end = offset_of({p, 0});
+    const std::size_t end = offset_of({p, 0});  // NOLINT(bugprone-string-constructor): a place, no text
     if (end < end_ && !is_blank(at(end)) && !is_line_end(at(end))) return false;
     position_ = end;
     return true;

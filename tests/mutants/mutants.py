@@ -43,7 +43,7 @@ HEADERS = {
     "raster/unit_vector.hpp": ("*textures*,*scalar*", ""),
     "raster/film.hpp": ("*film*", "raster/test_film"),
     "raster/depth.hpp": ("*depth*", "raster/test_depth"),
-    "raster/depth_formats.hpp": ("*depth*", ""),
+    "raster/depth_formats.hpp": ("*depth*", "raster/test_depth"),
     "raster/orthonormal_frame.hpp": ("*directions*", ""),
     "raster/screen.hpp": ("*depth*", "raster/test_screen"),
 }

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "raster/depth.hpp"
+#include "raster/depth_formats.hpp"
 #include "raster/overdraw.hpp"
 #include "raster/rasterize_reference.hpp"
 #include "tests/raster/random_scenes.hpp"
@@ -148,4 +149,15 @@ TEST_CASE("Walls one behind the other: drawn in any order the nearest is seen at
         }
         CHECK(wrong == 0);
     }
+}
+
+TEST_CASE("Depth formats: what is nearer hides, what is as far does not, and reversed depths grow toward the viewer") {
+    for (const DepthFormat format : {DepthFormat::unorm16, DepthFormat::unorm24, DepthFormat::float32}) {
+        CHECK(is_nearer(format, 0.25, 0.5));
+        CHECK_FALSE(is_nearer(format, 0.5, 0.5));
+        CHECK_FALSE(is_nearer(format, 0.5, 0.25));
+    }
+    CHECK(is_nearer(DepthFormat::reversed_float32, 0.5, 0.25));
+    CHECK_FALSE(is_nearer(DepthFormat::reversed_float32, 0.5, 0.5));
+    CHECK_FALSE(is_nearer(DepthFormat::reversed_float32, 0.25, 0.5));
 }

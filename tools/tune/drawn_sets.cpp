@@ -13,7 +13,7 @@ Picture draw_with_baked(DrawnSets& drawn, scene::Scene scene, int threads) {
         return serves(*baked.maps, scene.environment, needs);
     });
     if (found == drawn.baked.end()) {
-        const Picture picture = draw_picture(scene, drawn.buffers, threads);
+        Picture picture = draw_picture(scene, drawn.buffers, threads);
         drawn.baked.push_back({drawn.buffers.environment, picture.bake_ms});
         return picture;
     }

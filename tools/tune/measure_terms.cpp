@@ -65,7 +65,7 @@ Probe draw_first(Bench& bench, const std::vector<int>& chosen) {
 }
 
 /// The options in turn, round after round; the median counts.
-void time_frames(Bench& bench, std::vector<Probe*> probes) {
+void time_frames(Bench& bench, const std::vector<Probe*>& probes) {
     if (!bench.takes_time()) return;
     for (int round = 1; round < bench.options.rounds; ++round) {
         for (Probe* probe : probes) {
