@@ -2,86 +2,16 @@
 
 #include <algorithm>
 #include <bit>
-#include <cmath>
 
 #include "raster/depth.hpp"
 #include "raster/farthest_depth.hpp"
 #include "raster/platform.hpp"
-#include "raster/sample_edges.hpp"
 #include "raster/screen_lanes.hpp"
+#include "raster/tile_triangle.hpp"
 
 namespace kreda::raster {
 
 namespace {
-
-/// An edge function over one tile. Within it E / 256 changes by less than 2^30 (63 samples in x and y times steps below
-/// 2^23, see kGuardBand); a start value beyond +-2^30 can be cut there without changing any sign in the tile.
-inline SampleEdge tile_edge(const ScreenVertex& a, const ScreenVertex& b, const TileArea& area) {
-    constexpr double kLimit = 1 << 30;
-    const std::int32_t p_x = area.x * kSubpixels + kPixelCentre;
-    const std::int32_t p_y = area.y * kSubpixels + kPixelCentre;
-    const double least = least_inside(b.x - a.x, b.y - a.y);
-    const double e = edge_function<double>(a.x, a.y, b.x, b.y, p_x, p_y) - least;
-    const double start = std::floor(e * (1.0 / kSubpixels));
-    const double not_below = start > -kLimit ? start : -kLimit;
-    return {static_cast<std::int32_t>(not_below < kLimit ? not_below : kLimit), a.y - b.y, b.x - a.x};
-}
-
-/// Bounding box of a triangle in samples of the tile.
-struct TileBox {
-    std::int32_t x_first = 0, x_end = 0, y_first = 0, y_last = 0;
-};
-
-inline TileBox tile_box(const ScreenVertex& a, const ScreenVertex& b, const ScreenVertex& c, const TileArea& area) {
-    const auto first = [](std::int32_t min) { return (min + kPixelCentre - 1) >> kSubpixelBits; };
-    const auto last = [](std::int32_t max) { return (max - kPixelCentre) >> kSubpixelBits; };
-    const std::int32_t x_first = first(std::min(std::min(a.x, b.x), c.x)) - area.x;
-    const std::int32_t y_first = first(std::min(std::min(a.y, b.y), c.y)) - area.y;
-    const std::int32_t x_last = last(std::max(std::max(a.x, b.x), c.x)) - area.x;
-    const std::int32_t y_last = last(std::max(std::max(a.y, b.y), c.y)) - area.y;
-    return {std::max(x_first, 0), std::min(x_last, area.width - 1) + 1, std::max(y_first, 0),
-            std::min(y_last, area.height - 1)};
-}
-
-/// What drawing a triangle in a tile needs to know of it.
-struct TileTriangle {
-    SampleEdges edges;
-    DepthPlane depth;
-    TileBox box;
-};
-
-/// In place of the samples that are covered: the box is larger than the block.
-constexpr std::uint32_t kLargerThanBlock = 1u << (kBlockSide * kBlockSide);
-
-/// Is the whole box outside of an edge? A large triangle's box is often in the tile when the triangle is not.
-inline bool misses_box(const TileTriangle& t) {
-    const auto most = [&](const SampleEdge& e) {
-        return e.start + std::max(e.step_x * t.box.x_first, e.step_x * (t.box.x_end - 1)) +
-               std::max(e.step_y * t.box.y_first, e.step_y * t.box.y_last);
-    };
-    return (most(t.edges.ab) | most(t.edges.bc) | most(t.edges.ca)) < 0;
-}
-
-/// The samples that a triangle covers of the block that begins with its box. kLargerThanBlock: it may cover others,
-/// too.
-inline std::uint32_t covered_samples(const TileTriangle& t) {
-    const std::int32_t columns = t.box.x_end - t.box.x_first, rows = t.box.y_last - t.box.y_first + 1;
-    const std::uint32_t covered = covered_in_block(t.edges, t.box.x_first, t.box.y_first);
-    const std::uint32_t in_columns =
-        0x1111u | (columns > 1 ? 0x2222u : 0u) | (columns > 2 ? 0x4444u : 0u) | (columns > 3 ? 0x8888u : 0u);
-    const std::uint32_t in_rows =
-        0x000fu | (rows > 1 ? 0x00f0u : 0u) | (rows > 2 ? 0x0f00u : 0u) | (rows > 3 ? 0xf000u : 0u);
-    const bool larger = (columns > kBlockSide) | (rows > kBlockSide);
-    const std::uint32_t covered_in_larger = misses_box(t) ? 0u : kLargerThanBlock;
-    return larger ? covered_in_larger : covered & in_columns & in_rows;  // the tile may end within the block
-}
-
-inline TileTriangle tile_triangle(const ScreenVertex& a, const ScreenVertex& b, const ScreenVertex& c,
-                                  const TileArea& area) {
-    return {{tile_edge(a, b, area), tile_edge(b, c, area), tile_edge(c, a, area)},
-            depth_plane(a, b, c, edge_function<double>(a.x, a.y, b.x, b.y, c.x, c.y)),
-            tile_box(a, b, c, area)};
-}
 
 /// Triangles that are prepared side by side, and what comes out: one array a number, a lane a triangle.
 struct EdgeLanes {
@@ -183,36 +113,77 @@ inline ColumnLanes columns_from(const TileTriangle& t, int x, int x_of_tile) {
     return columns;
 }
 
-/// Edge tests and depth test for the samples of one triangle in one tile: sixteen columns from the top down, then the
-/// next sixteen, so that what x says is computed once for all rows.
-inline void draw_columns(const TileTriangle& t, std::uint32_t id, TileArea area, TileVisibility& tile) {
-    for (int x = t.box.x_first & -kSampleLanes; x < t.box.x_end; x += kSampleLanes) {
-        const ColumnLanes columns = columns_from(t, x, area.x);
-        for (int y = t.box.y_first; y <= t.box.y_last; ++y) {
-            const float row_depth = depth_of_row(t.depth, area.y + y);
-            const std::int32_t ab = t.edges.ab.step_y * y, bc = t.edges.bc.step_y * y, ca = t.edges.ca.step_y * y;
-            float* depth = &tile.depth[y * kTileSide + x];
-            std::uint32_t* triangle = &tile.triangle[y * kTileSide + x];
-            for (int i = 0; i < kSampleLanes; ++i) {
-                const std::int32_t inside = (columns.ab[i] + ab) | (columns.bc[i] + bc) | (columns.ca[i] + ca);
-                const float z = depth_from(t.depth, row_depth, columns.depth[i]);
-                const float nearest = depth[i];  // both are read in any case, so that clang vectorizes, too
-                const std::uint32_t drawn = triangle[i];
-                const bool visible = (inside >= 0) & (z < nearest);
-                depth[i] = visible ? z : nearest;
-                triangle[i] = visible ? id : drawn;
-            }
+/// Edge tests and depth test for some rows of sixteen columns, from the top down: what x says is computed once for all.
+inline void draw_columns(const TileTriangle& t, int x, RowRange rows, std::uint32_t id, TileArea area,
+                         TileVisibility& tile) {
+    const ColumnLanes columns = columns_from(t, x, area.x);
+    for (int y = rows.first; y <= rows.last; ++y) {
+        const float row_depth = depth_of_row(t.depth, area.y + y);
+        const std::int32_t ab = t.edges.ab.step_y * y, bc = t.edges.bc.step_y * y, ca = t.edges.ca.step_y * y;
+        float* depth = &tile.depth[y * kTileSide + x];
+        std::uint32_t* triangle = &tile.triangle[y * kTileSide + x];
+        for (int i = 0; i < kSampleLanes; ++i) {
+            const std::int32_t inside = (columns.ab[i] + ab) | (columns.bc[i] + bc) | (columns.ca[i] + ca);
+            const float z = depth_from(t.depth, row_depth, columns.depth[i]);
+            const float nearest = depth[i];  // both are read in any case, so that clang vectorizes, too
+            const std::uint32_t drawn = triangle[i];
+            const bool visible = (inside >= 0) & (z < nearest);
+            depth[i] = visible ? z : nearest;
+            triangle[i] = visible ? id : drawn;
         }
     }
 }
+
+/// All rows of the box, sixteen columns after the other.
+inline void draw_box(const TileTriangle& t, std::uint32_t id, TileArea area, TileVisibility& tile) {
+    const RowRange rows{t.box.y_first, t.box.y_last};
+    for (int x = t.box.x_first & -kSampleLanes; x < t.box.x_end; x += kSampleLanes) {
+        draw_columns(t, x, rows, id, area, tile);
+    }
+}
+
+/// The box of a tall triangle: in each sixteen columns only the rows that the triangle reaches there.
+KREDA_BATCH_LOOP void draw_tall(const SetupLanes& setup, int i, TileArea area, TileVisibility& tile) {
+    const TileTriangle t = setup.at(i);
+    for (int x = t.box.x_first & -kSampleLanes; x < t.box.x_end; x += kSampleLanes) {
+        draw_columns(t, x, rows_of_columns(t, x, kSampleLanes), setup.id[i], area, tile);
+    }
+}
+
+/// Of fewer rows all are drawn sooner than it is asked which of them to draw.
+constexpr int kTallRows = 24;
+
+/// A triangle that fills a tile in which nothing is drawn yet: no sample needs a test, nor to be cleared before.
+inline void fill_tile(const DepthPlane& plane, std::uint32_t id, TileArea area, TileVisibility& tile) {
+    alignas(64) float column_depth[kTileSide];
+    for (int x = 0; x < kTileSide; ++x) column_depth[x] = depth_of_column(plane, area.x + x);
+    for (int y = 0; y < area.height; ++y) {
+        const float row_depth = depth_of_row(plane, area.y + y);
+        float* depth = &tile.depth[y * kTileSide];
+        std::uint32_t* triangle = &tile.triangle[y * kTileSide];
+        for (int x = 0; x < kTileSide; ++x) {
+            depth[x] = depth_from(plane, row_depth, column_depth[x]);
+            triangle[x] = id;
+        }
+    }
+}
+
+/// What is known of a tile while it is drawn.
+struct TileState {
+    FarthestDepth farthest;
+    bool has_begun = false;  ///< false: its samples hold anything
+};
 
 /// Draw a triangle that is larger than a block, unless all that is there is nearer.
 inline void draw_large(const SetupLanes& setup, int i, const TileArea& area, FarthestDepth& farthest,
                        TileVisibility& tile) {
     if (farthest.hides(setup.z_min[i])) return;
-    const TileTriangle t = setup.at(i);
-    draw_columns(t, setup.id[i], area, tile);
-    farthest.drawn += (t.box.x_end - t.box.x_first) * (t.box.y_last - t.box.y_first + 1);
+    const int columns = setup.x_end[i] - setup.x_first[i], rows = setup.y_last[i] - setup.y_first[i] + 1;
+    if (rows < kTallRows)
+        draw_box(setup.at(i), setup.id[i], area, tile);
+    else
+        draw_tall(setup, i, area, tile);
+    farthest.drawn += columns * rows;
     if (farthest.drawn >= kSamplesBetweenLooks) farthest = {farthest_depth(area, tile), 0};
 }
 
@@ -223,9 +194,22 @@ KREDA_BATCH_LOOP void clear(TileVisibility& tile) {
     }
 }
 
+/// Begin a tile with its first triangle. True if that is all to do with it.
+inline bool begin_tile(const SetupLanes& setup, int i, const TileArea& area, TileState& state, TileVisibility& tile) {
+    state.has_begun = true;
+    const bool fills = setup.covered[i] == kLargerThanBlock && fills_tile(setup.at(i), area);
+    if (!fills) {
+        clear(tile);
+        return false;
+    }
+    fill_tile(setup.depth_at(i), setup.id[i], area, tile);
+    state.farthest = {setup.z_max[i], 0};
+    return true;
+}
+
 /// All triangles of one chunk that touch the tile, in drawing order.
 KREDA_BATCH_LOOP void draw_chunk_in_tile(const ScreenVertex* screen, const TriangleChunk& chunk, std::uint32_t first_id,
-                                         const TileArea& area, FarthestDepth& farthest, TileVisibility& tile) {
+                                         const TileArea& area, TileState& state, TileVisibility& tile) {
     SetupLanes setup;
     const std::uint32_t end = chunk.tile_begin[area.index + 1];
     for (std::uint32_t entry = chunk.tile_begin[area.index]; entry < end; entry += kScreenLanes) {
@@ -233,10 +217,12 @@ KREDA_BATCH_LOOP void draw_chunk_in_tile(const ScreenVertex* screen, const Trian
         fetch_corners(screen, chunk, entry, count, first_id, setup);
         prepare_triangles(area, lanes_for(count), setup);
         for (int i = 0; i < count; ++i) {
+            if (setup.covered[i] == 0) continue;
+            if (!state.has_begun && begin_tile(setup, i, area, state, tile)) continue;
             if (setup.covered[i] != kLargerThanBlock)
                 draw_block(setup, i, area, tile);
             else
-                draw_large(setup, i, area, farthest, tile);
+                draw_large(setup, i, area, state.farthest, tile);
         }
     }
 }
@@ -263,13 +249,13 @@ bool any_triangle_touches(const TriangleSet& set, const TileArea& area) {
 }
 
 void rasterize_tile(const VertexStreams& streams, const TriangleSet& set, const TileArea& area, TileVisibility& tile) {
-    clear(tile);
-    FarthestDepth farthest;
+    TileState state;
     for (std::size_t c = 0; c < set.chunks.size(); ++c) {
         const TriangleChunk& chunk = set.chunks[c];
         if (!touches(chunk, area)) continue;
-        draw_chunk_in_tile(streams.screen.data(), chunk, triangle_id(c, 0), area, farthest, tile);
+        draw_chunk_in_tile(streams.screen.data(), chunk, triangle_id(c, 0), area, state, tile);
     }
+    if (!state.has_begun) clear(tile);
 }
 
 VisibilityBuffer rasterize_tiled(const VertexStreams& streams, const TriangleSet& set, const Viewport& viewport) {

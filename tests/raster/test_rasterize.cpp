@@ -1,14 +1,17 @@
 // Coverage by hand and by the published rule; the tiled rasterizer against the reference on random scenes.
 #include <doctest/doctest.h>
 
+#include <cmath>
 #include <cstring>
 #include <limits>
+#include <random>
 #include <string>
 #include <vector>
 
 #include "raster/overdraw.hpp"
 #include "raster/rasterize_reference.hpp"
 #include "raster/rasterize_tile.hpp"
+#include "raster/tile_triangle.hpp"
 #include "tests/raster/random_scenes.hpp"
 
 using namespace kreda::tests;
@@ -271,6 +274,23 @@ TEST_CASE("Tile of a sample: the multiplication gives what a division would for 
     }
 }
 
+TEST_CASE("Rows inside an edge: those of a tile in which it is not negative, no others") {
+    std::mt19937 random{11};
+    int kept = 0, wrong = 0;
+    for (int k = 0; k < 20000; ++k) {
+        const auto step = static_cast<std::int32_t>(random() % 2001) - 1000;
+        const auto most = static_cast<std::int32_t>(random() % 60001) - 30000;
+        const RowRange rows = rows_inside(most, step, {0, kTileSide - 1});
+        for (std::int32_t y = 0; y < kTileSide; ++y) {
+            const bool is_in_range = rows.first <= y && y <= rows.last;
+            wrong += is_in_range != (most + step * y >= 0);
+            kept += is_in_range;
+        }
+    }
+    CHECK(wrong == 0);
+    CHECK(kept > 20000);
+}
+
 TEST_CASE("Tiled rasterizer gives the reference's visibility buffer to the last bit: 10800 random scenes") {
     check_scenes(0, 10800);
 }
@@ -311,6 +331,21 @@ TEST_CASE("Tiled rasterizer gives the reference's bits where large triangles hid
         const Drawn drawn = set_up(drawing);
         CHECK(differences(rasterize_reference(drawn.streams, drawn.set, viewport),
                           rasterize_tiled(drawn.streams, drawn.set, viewport)) == 0);
+    }
+}
+
+TEST_CASE("A triangle that fills tiles is drawn up to the far plane, and none on it") {
+    for (const float z : {0.5f, std::nextafter(1.0f, 0.0f), 1.0f}) {
+        Drawing drawing;
+        drawing.viewport = {150, 130};
+        drawing.clip_from_world = clip_from_pixels(drawing.viewport);
+        add_triangle(drawing.mesh, {-40, -40, z}, {400, -40, z}, {-40, 400, z});
+        add_triangle(drawing.mesh, {10, 20, 0.25f}, {90, 30, 0.25f}, {40, 120, 0.25f});
+        finish(drawing.mesh);
+        const Drawn drawn = set_up(drawing);
+        const VisibilityBuffer buffer = rasterize_tiled(drawn.streams, drawn.set, drawing.viewport);
+        CHECK(differences(rasterize_reference(drawn.streams, drawn.set, drawing.viewport), buffer) == 0);
+        CHECK(buffer.triangle[0] == (z < 1.0f ? triangle_id(0, 0) : kNoTriangle));
     }
 }
 
