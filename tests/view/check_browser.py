@@ -1,13 +1,14 @@
 #!/usr/bin/env python3
 """Opens pages of `kreda view` in headless Chromium: the film's bits are the program's, keys and controls change the picture,
 R and "Undo all" bring it back to the bit, fingers turn and come nearer, a pixel is explained, a broken file is one line, crashes are
-survived. A change reads no file again, a dropped .hdr takes the place of a named sky, a hidden page draws nothing and forgets nothing,
+survived. A change reads no file again, a dropped .hdr takes the place of a named sky, a .glb is read, a hidden page draws nothing and forgets nothing,
 a window of another size is still met by clicks, a lesson's page loads its figure when it is seen, and the figure is its picture until the module has drawn.
 Usage: check_browser.py CHROMIUM KREDA HASH_SCENE_FILES FOLDER   (in the folder of the sources)"""
 import base64
 import json
 import re
 import shutil
+import struct
 import subprocess
 import sys
 from pathlib import Path
@@ -40,8 +41,23 @@ diffuse = [0.7, 0.1, 0.1]
 mesh = "a.obj"
 material = "red"
 """
+GLTF_SCENE = MESH_SCENE.replace('"a.obj"\nmaterial = "red"', '"b.glb"')  # in the file's own material
 # Radiance's format without packing: every texel is half as bright in red as in green, and a quarter of that in blue.
 SKY = b"#?RADIANCE\nFORMAT=32-bit_rle_rgbe\n\n-Y 32 +X 64\n" + bytes([64, 128, 32, 128]) * (64 * 32)
+
+
+def binary_gltf():
+    """A triangle with a colour of its own: the 12 bytes of the head, the JSON, and three corners, each part padded to four bytes."""
+    corners = struct.pack("<9f", -1, -1, 0, 1, -1, 0, 0, 1, 0)
+    told = {"asset": {"version": "2.0"}, "scene": 0, "scenes": [{"nodes": [0]}], "nodes": [{"mesh": 0, "rotation": [0, 0.38268343, 0, 0.9238795]}],
+            "meshes": [{"primitives": [{"attributes": {"POSITION": 0}, "material": 0}]}],
+            "materials": [{"pbrMetallicRoughness": {"baseColorFactor": [0.1, 0.6, 0.2, 1], "metallicFactor": 0.5, "roughnessFactor": 0.4}}],
+            "accessors": [{"bufferView": 0, "componentType": 5126, "count": 3, "type": "VEC3", "min": [-1, -1, 0], "max": [1, 1, 0]}],
+            "bufferViews": [{"buffer": 0, "byteLength": len(corners)}], "buffers": [{"byteLength": len(corners)}]}
+    text = json.dumps(told).encode()
+    text += b" " * (-len(text) % 4)
+    parts = struct.pack("<I4s", len(text), b"JSON") + text + struct.pack("<I4s", len(corners), b"BIN\0") + corners
+    return struct.pack("<4sII", b"glTF", 2, 12 + len(parts)) + parts
 
 
 def run(*command):
@@ -133,6 +149,57 @@ def check_files(browser):
     corner = browser.value("[...document.getElementById('picture').getContext('2d').getImageData(0, 0, 1, 1).data]")
     assert corner[1] > corner[0] > corner[2], f"the background is not the sky that was dropped: {corner}"
     print("files: the mesh is kept, a .hdr takes the place of a named sky")
+
+
+def check_gltf(browser, folder):
+    """A .glb in a scene has the program's bits; alone it is opened, too; a broken one is one line."""
+    (folder / "b.glb").write_bytes(binary_gltf())
+    (folder / "b.toml").write_text(GLTF_SCENE, encoding="utf-8")
+    expected = run(HASHES, str(folder / "b.toml")).stdout.split()[0]
+    drop(browser, b_toml=GLTF_SCENE, b_glb=binary_gltf())
+    assert browser.wait("kreda.page.path === 'b.toml' && kreda.page.scene"), message(browser)
+    assert browser.wait(f"{AT_REST}.then(h => h === '{expected}')", 20), f"a .glb: {browser.value(AT_REST)}, in the program {expected}; {message(browser)}"
+    drop(browser, b_glb=binary_gltf())
+    assert browser.wait("kreda.page.path === 'b.glb' && kreda.page.scene"), message(browser)
+    drop(browser, c_glb=binary_gltf()[:300])
+    assert browser.wait("document.getElementById('message').textContent.startsWith('c.glb')"), message(browser)
+    print("glTF: a .glb has the program's bits, alone and in a scene; a broken one is one line")
+
+
+def press(browser, name, code, text=""):
+    """A key as the browser has it from the keyboard."""
+    at = {"key": text or name, "code": name, "windowsVirtualKeyCode": code}
+    browser.ask("Input.dispatchKeyEvent", browser.session, type="keyDown" if text else "rawKeyDown", text=text, **at)
+    browser.ask("Input.dispatchKeyEvent", browser.session, type="keyUp", **at)
+
+
+def check_keyboard(browser):
+    """Tab reaches everything that can be clicked or typed into, also with all folds open; Space, Enter and arrows work it."""
+    browser.value("""document.querySelectorAll('details').forEach((fold) => { fold.open = true; });
+globalThis.stops = [...document.querySelectorAll('a[href], button, input, select, summary, [tabindex]')].filter((e) => e.checkVisibility() && !e.disabled);
+stops[0].focus(); globalThis.met = new Set([stops[0]])""")
+    count = browser.value("stops.length")
+    for _ in range(count + 3):
+        press(browser, "Tab", 9)
+        browser.value("met.add(document.activeElement)")
+    missed = browser.value("stops.filter((e) => !met.has(e)).map((e) => e.outerHTML.slice(0, 90))")
+    assert count > 50 and not missed, f"of {count} controls Tab misses {missed}"
+    browser.value("document.getElementById('turn').focus()")
+    for wanted in ("true", "false"):
+        press(browser, "Space", 32, " ")
+        assert browser.wait(f"document.getElementById('turn').ariaPressed === '{wanted}'", 5), "Space does not press a button"
+    film = browser.value(AT_REST)
+    browser.value("""document.querySelector('[data-path="material.0.shininess"] input[type=range]').focus()""")
+    press(browser, "ArrowLeft", 37)
+    assert browser.wait(f"{AT_REST}.then(h => h !== '{film}')", 20), "an arrow key does not move a slider"
+    browser.value("document.getElementById('view').focus()")
+    press(browser, "ArrowDown", 40)
+    assert browser.wait("document.getElementById('view').value !== ''", 5), "an arrow key chooses no view"
+    browser.value("document.getElementById('undo').focus()")
+    press(browser, "Enter", 13, "\r")
+    browser.value("document.getElementById('view').value = ''; document.getElementById('view').onchange()")
+    assert browser.wait("![...kreda.page.changes.keys()].length", 20), "Enter does not press a button"
+    print(f"keyboard: Tab reaches all {count} controls; Space, Enter and arrows work them")
 
 
 def check_hidden(browser):
@@ -244,10 +311,12 @@ def main():
     try:
         films = [check_film(browser, scene, folder) for scene in reversed(SCENES)]
         check_use(browser, films[-1])
+        check_keyboard(browser)
         check_touch(browser, films[-1])
         browser.ask("Emulation.setTouchEmulationEnabled", browser.session, enabled=False)
         check_sizes(browser)
         check_files(browser)
+        check_gltf(browser, folder)
         check_hidden(browser)
         check_site(browser, folder, folder / "25_exponents.html", films[-1])
         check_lesson(browser, folder, folder / "25_exponents.html")

@@ -6,7 +6,7 @@
 
 # Debian's headers lie beside those of its own C library, which must not be seen: each package gets a folder of its own.
 set(web_headers ${CMAKE_BINARY_DIR}/headers)
-foreach(header IN ITEMS glm toml++ tiny_obj_loader.h nlohmann stb)
+foreach(header IN ITEMS glm toml++ tiny_obj_loader.h tiny_gltf.h nlohmann stb)
   if(NOT EXISTS /usr/include/${header})
     message(FATAL_ERROR "/usr/include/${header} is missing: ./course build web installs what is needed")
   endif()
@@ -46,7 +46,8 @@ kreda_room(scene PUBLIC kreda_lighting kreda_shadows)
 get_target_property(scene_sources kreda_scene SOURCES)
 list(FILTER scene_sources EXCLUDE REGEX
   "/(image_file|open_image|image_module|image_message|child_process|png_bytes|deflate_strips|write_image|webp_file|environment_cache|whole_file)\\.cpp$")
-list(FILTER scene_sources EXCLUDE REGEX "/gltf_(accessor|file|lights|material|model|nodes|primitive)\\.cpp$")
+list(FILTER scene_sources EXCLUDE REGEX "/gltf_absent\\.cpp$")
+set_source_files_properties(${PROJECT_SOURCE_DIR}/scene/files/gltf_model.cpp PROPERTIES SKIP_UNITY_BUILD_INCLUSION ON)
 set_target_properties(kreda_scene PROPERTIES SOURCES "${scene_sources}")
 
 # What is done once for a file or a change takes no time worth its bytes: it is compiled for size. emcc forbids with -Oz to put calls in line, though

@@ -1,6 +1,6 @@
 // Files in and out: dropped ones become part of the scene, the scene file and the picture can be saved.
 
-const UNREAD = [[/\.exr$/i, 'EXR', 'write it as .hdr: oiiotool in.exr -o out.hdr'], [/\.(glb|gltf)$/i, 'glTF', 'export the mesh as .obj']];
+const UNREAD = [[/\.exr$/i, 'EXR', 'write it as .hdr: oiiotool in.exr -o out.hdr']];
 const IMAGES = /\.(png|jpe?g|tga|bmp)$/i;
 
 /** WebP is read by the browser and handed on as PNG, values as they stand in the file. */
@@ -48,7 +48,7 @@ export function meaningOf(names, material) {
   if (map) throw new Error(`${map}: there is no [[material]] in the scene file that could wear it`);
   const mtl = named(/\.mtl$/i);
   if (mtl) return { changes: [] };
-  throw new Error(`${names[0]}: not a file for a scene (expected .toml, .obj, .mtl, .png, .jpg, .webp or .hdr)`);
+  throw new Error(`${names[0]}: not a file for a scene (expected .toml, .obj, .mtl, .glb, .gltf, .png, .jpg, .webp or .hdr)`);
 }
 
 export function save(blob, name) {
