@@ -1,5 +1,5 @@
-// time_passes FRAMES SCENE.toml...: for each scene at 640 x 360 on one thread a line a pass, the median of FRAMES after two seconds.
-// The same program natively and for node shows which passes WebAssembly draws slower: docs/performance.md.
+// time_passes FRAMES SCENE.toml...: for each scene at 640 x 360 on one thread a line a pass, the median of FRAMES after
+// two seconds. The same program natively and for node shows which passes WebAssembly draws slower: docs/performance.md.
 #include <algorithm>
 #include <chrono>
 #include <cstdio>
