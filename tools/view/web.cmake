@@ -36,7 +36,7 @@ set_property(GLOBAL PROPERTY RULE_LAUNCH_LINK "${CMAKE_COMMAND} -E env NODE_PATH
 
 kreda_room(raster PUBLIC glm_headers)
 if(KREDA_WEB_THREADS)
-  add_library(kreda_openmp STATIC ${PROJECT_SOURCE_DIR}/tools/view/openmp/openmp.cpp)
+  add_library(kreda_openmp STATIC ${PROJECT_SOURCE_DIR}/tools/view/openmp/web_openmp.cpp)
   target_link_libraries(kreda_openmp PUBLIC kreda_flags)
   target_link_libraries(kreda_raster PUBLIC kreda_openmp)
 endif()

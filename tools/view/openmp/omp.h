@@ -1,4 +1,4 @@
-// What Kreda calls of OpenMP's library, for the module with threads (openmp.cpp beside this file).
+// What Kreda calls of OpenMP's library, for the module with threads (web_openmp.cpp beside this file).
 #pragma once
 
 extern "C" {

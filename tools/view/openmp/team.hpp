@@ -1,4 +1,4 @@
-// A region's threads, the loops that they share, and the pool that they come from: what openmp.cpp hands to clang.
+// A region's threads, the loops that they share, and the pool that they come from: what web_openmp.cpp hands to clang.
 #pragma once
 
 #include <algorithm>

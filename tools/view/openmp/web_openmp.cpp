@@ -17,6 +17,10 @@
 #include "tools/view/openmp/omp.h"
 #include "tools/view/openmp/team.hpp"
 
+#if !defined(__EMSCRIPTEN__)
+#error "a program has an OpenMP of its own, whose functions these would replace"
+#endif
+
 namespace {
 
 using namespace kreda::openmp;
