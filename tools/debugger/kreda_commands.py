@@ -232,6 +232,8 @@ def print_channels(batch, lane, prefix):
             numbers = [value["value"][lane]]
         elif kind == "kreda::raster::Channel3":
             numbers = [value[c][lane] for c in "xyz"]
+        elif kind == "kreda::lighting::EvenOrChannel":
+            numbers = [value["even"][c] if value["is_even"] else value["each"][c][lane] for c in "xyz"]
         else:
             if value.type.strip_typedefs().code == gdb.TYPE_CODE_STRUCT:
                 zero += print_channels(value, lane, name + ".")

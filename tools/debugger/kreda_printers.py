@@ -93,6 +93,10 @@ def pixels(subpixels):
     return number(int(subpixels) / 256.0)
 
 
+def even_or_channel_text(value):
+    return "at every point %s" % vec_text(value["even"]) if value["is_even"] else channel3_text(value["each"])
+
+
 def screen_vertex_text(value):
     place = "x = %d (pixel %s), y = %d (pixel %s)" % (
         int(value["x"]), pixels(value["x"]), int(value["y"]), pixels(value["y"]))
@@ -136,6 +140,7 @@ PRINTERS = [
     ("TileVisibility", r"^kreda::raster::TileVisibility$", tile_visibility_text),
     ("Channel", r"^kreda::raster::Channel$", channel_text),
     ("Channel3", r"^kreda::raster::Channel3$", channel3_text),
+    ("EvenOrChannel", r"^kreda::lighting::EvenOrChannel$", even_or_channel_text),
     ("ScreenVertex", r"^kreda::raster::ScreenVertex$", screen_vertex_text),
     ("Mesh", r"^kreda::raster::Mesh$", mesh_text),
     ("VertexStreams", r"^kreda::raster::VertexStreams$", streams_text),
