@@ -32,14 +32,19 @@ def share_module(page):
     page.write_text(text.replace("script-src 'unsafe-inline'", "script-src 'self' file: 'unsafe-inline'", 1), encoding="utf-8")
 
 
-def share_threads(root, page):
-    """Where the module with threads was built (./course docs --serve), the page may load it from its server: docs/site/serve.py."""
+def copy_threads(root, folder):
+    """The module with threads beside the pages, where it was built (./course docs --serve); whether it was."""
     built = root / "build/web-threads/bin"
     if not (built / "kreda_web.worker.js").exists():
-        return
-    (page.parent / "threads").mkdir(exist_ok=True)
+        return False
+    (folder / "threads").mkdir(exist_ok=True)
     for name in ("kreda_web.js", "kreda_web.wasm", "kreda_web.worker.js"):
-        shutil.copy2(built / name, page.parent / "threads" / name)
+        shutil.copy2(built / name, folder / "threads" / name)
+    return True
+
+
+def allow_threads(page):
+    """Let the page load that module from its server: docs/site/serve.py."""
     text = page.read_text(encoding="utf-8").replace('<html lang="en">', '<html lang="en" data-threads="threads/">', 1)
     page.write_text(text.replace("worker-src blob:", "worker-src blob: 'self'; connect-src 'self'", 1), encoding="utf-8")
 
@@ -51,7 +56,8 @@ def put_poster(page):
 
 
 def write(root, folder, kreda):
-    """Pages live/NN.html and the picture of each, which stands there until the module has drawn; {number: page}. None where kreda has no page to put a scene in: the pictures stay."""
+    """Pages live/NN.html and the picture of each, which stands there until the module has drawn; {number: page}. None where kreda
+    has no page to put a scene in: the pictures stay."""
     def one(item):
         number, scene = item
         page = folder / "live" / f"{number}.html"
@@ -67,9 +73,11 @@ def write(root, folder, kreda):
         made = dict(pool.map(one, scenes(root).items()))
     if made and not any(made.values()):
         print("note: ./course view builds what live figures need; this site has pictures alone")
+    has_threads = copy_threads(root, folder / "live")
     for page in filter(None, made.values()):
         share_module(folder / page)
-        share_threads(root, folder / page)
+        if has_threads:
+            allow_threads(folder / page)
         put_poster(folder / page)
     return {number: page for number, page in made.items() if page}
 

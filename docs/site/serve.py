@@ -28,10 +28,11 @@ def server(folder, port=0):
 def main():
     if len(sys.argv) not in (2, 3) or not Path(sys.argv[1]).is_dir() or not (sys.argv + ["", "0"])[2].isdigit():
         raise SystemExit(__doc__)
+    port = int(sys.argv[2]) if len(sys.argv) == 3 else 8000
     try:
-        site = server(sys.argv[1], int(sys.argv[2]) if len(sys.argv) == 3 else 8000)
+        site = server(sys.argv[1], port)
     except OSError as error:
-        raise SystemExit(f"serve: port {sys.argv[2] if len(sys.argv) == 3 else 8000}: {error.strerror}; name another one")
+        raise SystemExit(f"serve: port {port}: {error.strerror}; name another one")
     print(f"http://localhost:{site.server_port}/index.html (end it with Ctrl+C)", flush=True)
     try:
         site.serve_forever()

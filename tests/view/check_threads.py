@@ -42,11 +42,12 @@ def main():
     folder = Path(FOLDER).resolve() / "site"
     shutil.rmtree(folder, ignore_errors=True)
     (folder / "live").mkdir(parents=True)
+    assert live.copy_threads(Path.cwd(), folder / "live"), "the module with threads is not built"
     for number, scene in enumerate(SCENES):
         page = folder / "live" / f"{number}.html"
         run(KREDA, "view", scene, "-o", str(page), "--quiet")
         live.share_module(page)
-        live.share_threads(Path.cwd(), page)
+        live.allow_threads(page)
     site = serve.server(folder)
     threading.Thread(target=site.serve_forever, daemon=True).start()
     browser = Browser(CHROMIUM, folder / "profile")
