@@ -50,9 +50,7 @@ void count(const Fits& fits, std::size_t i, const StageTable& answers, std::size
     double before = NAN;
     for (std::size_t row = 0; row < input.rows; ++row) {
         if (!input.doubtful.empty() && input.doubtful[row]) continue;
-        double scale = 0.0;
-        for (std::size_t k = 0; k < n; ++k) scale = std::max(scale, std::abs(right.values[row * n + k]));
-        const double allowed = stage.absolute + stage.relative * scale;
+        const double allowed = allowed_error(largest(&right.values[row * n], n), stage);
         const double e = right.values[row * n + component];
         const double s = fits.marking.answers[i]->columns[column].values[row * n + component];
         const double v = answers.columns[column].values[row * n + component];

@@ -162,9 +162,19 @@ raster::Image doubtful_pixels(const SceneCase& scene, const StageTable& input) {
     return mask;
 }
 
+double largest(const double* values, std::size_t count) {
+    double scale = 0.0;
+    for (std::size_t i = 0; i < count; ++i) scale = std::max(scale, std::abs(values[i]));
+    return scale;
+}
+
+double allowed_error(double scale, const RubricStage& stage) {
+    return stage.absolute + stage.relative * scale;
+}
+
 bool is_near(double value, double expected, double scale, const RubricStage& stage) {
     if (value == expected) return true;  // infinities, too
-    return std::isfinite(value) && std::abs(value - expected) <= stage.absolute + stage.relative * scale;
+    return std::isfinite(value) && std::abs(value - expected) <= allowed_error(scale, stage);
 }
 
 }  // namespace kreda::tools

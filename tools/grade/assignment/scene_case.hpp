@@ -45,6 +45,12 @@ struct CaseSet {
 /// White where rounding may decide.
 [[nodiscard]] raster::Image doubtful_pixels(const SceneCase& scene, const StageTable& input);
 
+/// The size of the largest of these numbers; 0 where there are none.
+[[nodiscard]] double largest(const double* values, std::size_t count);
+
+/// By how much a number may be off. `scale`: the largest of the numbers of the expected vector.
+[[nodiscard]] double allowed_error(double scale, const RubricStage& stage);
+
 /// May `value` stand for the expected one? `scale`: the largest of the numbers of the expected vector.
 [[nodiscard]] bool is_near(double value, double expected, double scale, const RubricStage& stage);
 

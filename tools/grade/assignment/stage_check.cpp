@@ -10,19 +10,13 @@ namespace kreda::tools {
 
 namespace {
 
-double largest(const double* values, std::size_t count) {
-    double scale = 0.0;
-    for (std::size_t i = 0; i < count; ++i) scale = std::max(scale, std::abs(values[i]));
-    return scale;
-}
-
 /// By how much one result of a row is off, in units of what is allowed; NaN counts as endless.
 double error_of(const RubricStage& stage, const double* expected, const double* value, std::size_t count) {
     const double scale = largest(expected, count);
     double error = 0.0;
     for (std::size_t i = 0; i < count; ++i) {
         if (is_near(value[i], expected[i], scale, stage)) continue;
-        const double off = std::abs(value[i] - expected[i]) / (stage.absolute + stage.relative * scale);
+        const double off = std::abs(value[i] - expected[i]) / allowed_error(scale, stage);
         error = std::max(error, std::isfinite(off) ? std::max(off, 1.0) : HUGE_VAL);
     }
     return error;

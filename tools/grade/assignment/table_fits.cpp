@@ -31,11 +31,7 @@ void for_each_number(const StageTable& input, const StageTable& expected, const 
         for (std::size_t i = 0; i < e.values.size(); ++i) {
             const std::size_t row = i / e.components;
             if (!input.doubtful.empty() && input.doubtful[row]) continue;
-            double scale = 0.0;
-            for (std::size_t k = 0; k < e.components; ++k) {
-                scale = std::max(scale, std::abs(e.values[row * e.components + k]));
-            }
-            visit(c, i, scale);
+            visit(c, i, largest(&e.values[row * e.components], e.components));
         }
     }
 }
