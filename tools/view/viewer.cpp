@@ -217,7 +217,7 @@ double draw(Viewer& viewer) {
         viewer.plan = make_plan_for(viewer.scene, request_for(viewer.view));
         viewer.is_planned = true;
     }
-    const scene::RenderStatistics statistics = render(viewer.scene, viewer.plan, viewer.buffers, 1);
+    const scene::RenderStatistics statistics = render(viewer.scene, viewer.plan, viewer.buffers);
     if (viewer.view) {
         put_on_screen(encoded_view(viewer), viewer.picture);
     } else {
