@@ -1,6 +1,7 @@
 // The named quantities of a batch while it is lit: what the passes write for each other and for the pictures of stages.
 #pragma once
 
+#include "lighting/cook_torrance_setup.hpp"
 #include "lighting/environment/texel_taps.hpp"
 #include "raster/fragments.hpp"
 
@@ -31,11 +32,41 @@ inline void with_quantity(const EvenOrChannel& quantity, Use use) {
     use([&quantity](int i) { return quantity.each.at(i); });
 }
 
+/// What a material says of its surface at every point. Where no map says it, it is the same at all of them and stands
+/// here once, as EvenOrChannel does.
+struct SurfaceChannels {
+    bool is_even = false;                        ///< the same everywhere: `even`
+    MicrofacetSurface even;                      ///< the material's constants then
+    raster::Channel3 albedo;                     ///< otherwise c, linear RGB
+    raster::Channel3 f0;                         ///< reflectance at normal incidence
+    raster::Channel metallic, roughness, alpha;  ///< each in [0, 1]; alpha = roughness^2, at least kMinAlpha
+
+    /// The surface at point i as the channels have it.
+    [[nodiscard]] MicrofacetSurface each(int i) const {
+        return {albedo.at(i), f0.at(i), metallic.at(i), roughness.at(i), alpha.at(i)};
+    }
+    /// The surface at point i, in whichever way. Loops over a batch ask once, by with_surface().
+    [[nodiscard]] MicrofacetSurface at(int i) const {
+        return is_even ? even : each(i);
+    }
+    /// The same everywhere from now on.
+    void set_all(const MicrofacetSurface& s) {
+        is_even = true;
+        even = s;
+    }
+};
+
+/// use(surface), where surface(i) is the surface at point i: two loops, one for each way.
+template <class Use>
+inline void with_surface(const SurfaceChannels& surface, Use use) {
+    if (surface.is_even) return use([s = surface.even](int) { return s; });
+    use([&surface](int i) { return surface.each(i); });
+}
+
 /// The quantities of the microfacet model at every point; they hold something only where the material is cook_torrance.
 struct MicrofacetChannels {
-    raster::Channel3 albedo;                             ///< c, linear RGB
-    raster::Channel3 f0;                                 ///< reflectance at normal incidence
-    raster::Channel metallic, roughness, alpha, ao;      ///< each in [0, 1]; alpha = roughness^2, at least kMinAlpha
+    SurfaceChannels surface;                             ///< c, F0, metallic, roughness, alpha
+    raster::Channel ao;                                  ///< share of the environment's light that arrives, [0, 1]
     raster::Channel n_dot_l, n_dot_v, n_dot_h, v_dot_h;  ///< of the light that is being added, in [0, 1]
     raster::Channel sin2_h;                              ///< 1 - (n.h)^2
     raster::Channel D;                                   ///< of the light that is being added
@@ -46,11 +77,12 @@ struct MicrofacetChannels {
 /// What the environment sends and what becomes of it; they hold something only where the scene has an environment.
 struct EnvironmentChannels {
     raster::Channel3 direction;      ///< world space: r; of the background the way a sample looks
-    raster::Channel3 map_direction;  ///< n, r or l as the maps know it
+    raster::Channel3 map_direction;  ///< n, r or l as the maps know it, where they are turned
     raster::Channel3 irradiance;     ///< E on n
     raster::Channel3 prefiltered;    ///< P: radiance around r, as blurred as the surface is rough
-    raster::Channel lod;             ///< level of the prefiltered map
+    raster::Channel lod;             ///< level of the prefiltered map, where it is not the same everywhere
     raster::Channel3 brdf;           ///< A, B and the mean energy of the roughness
+    bool is_added = false;           ///< ambient holds what it adds; nobody looks at F, diffuse and specular
     raster::Channel3 F;              ///< at n.v
     raster::Channel3 diffuse;        ///< of ambient, what comes from the environment by diffuse reflection
     raster::Channel3 specular;       ///< and by specular reflection

@@ -11,8 +11,8 @@ namespace {
 
 using raster::lanes_for;
 
-KREDA_BATCH_LOOP void turn_to_maps(int lanes, const EnvironmentSetup& setup, const raster::Channel3& direction,
-                                   EnvironmentChannels& e) {
+KREDA_BATCH_LOOP void turn(int lanes, const EnvironmentSetup& setup, const raster::Channel3& direction,
+                           EnvironmentChannels& e) {
     const float cos_rotation = setup.cos_rotation;
     const float sin_rotation = setup.sin_rotation;
     for (int i = 0; i < lanes; ++i) {
@@ -20,20 +20,36 @@ KREDA_BATCH_LOOP void turn_to_maps(int lanes, const EnvironmentSetup& setup, con
     }
 }
 
+/// The directions as the maps know them: themselves where the environment is not turned.
+const raster::Channel3& turned_to_maps(int lanes, const EnvironmentSetup& setup, const raster::Channel3& direction,
+                                       EnvironmentChannels& e) {
+    if (setup.cos_rotation == 1.0f && setup.sin_rotation == 0.0f) return direction;
+    turn(lanes, setup, direction, e);
+    return e.map_direction;
+}
+
 KREDA_BATCH_LOOP void scale_channel(int lanes, float factor, raster::Channel3& channel) {
     for (int i = 0; i < lanes; ++i) channel.set(i, factor * channel.at(i));
 }
 
-/// r = 2 (n.v) n - v, and what the look-ups and F need: v.h, for r is n.v, and the level of this roughness.
+void apply_intensity(int lanes, float intensity, raster::Channel3& channel) {
+    if (intensity != 1.0f) scale_channel(lanes, intensity, channel);
+}
+
+/// r = 2 (n.v) n - v, and what F needs: v.h, for r is n.v.
 KREDA_BATCH_LOOP void direct_to_mirror(int lanes, LightingChannels& c) {
     MicrofacetChannels& m = c.microfacet;
     EnvironmentChannels& e = c.environment;
     for (int i = 0; i < lanes; ++i) {
         const float cosine = glm::dot(c.n.at(i), c.v.at(i));
         e.direction.set(i, mirror_vector(c.n.at(i), c.v.at(i), cosine));
-        e.lod.set(i, level_of_alpha(m.alpha.at(i)));
         m.v_dot_h.set(i, raster::saturate(cosine));
     }
+}
+
+/// The level of the prefiltered map where a map gives the roughness.
+KREDA_BATCH_LOOP void set_levels(int lanes, const SurfaceChannels& surface, raster::Channel& level) {
+    for (int i = 0; i < lanes; ++i) level.set(i, level_of_alpha(surface.alpha.at(i)));
 }
 
 /// ao of a material without a map of it; lamps do not ask for it.
@@ -41,18 +57,41 @@ KREDA_BATCH_LOOP void fill_ao(int lanes, float ao, MicrofacetChannels& m) {
     for (int i = 0; i < lanes; ++i) m.ao.set(i, ao);
 }
 
-KREDA_BATCH_LOOP void split_sum(int lanes, LightingChannels& c) {
-    const MicrofacetChannels& m = c.microfacet;
+/// add(i, F, diffuse, specular) for every point by `loop`: keep in channels what the environment adds at point i. Where
+/// it goes to ambient as it is and nobody looks at it, ambient alone is written, at once.
+template <class Loop>
+inline void with_environment_adder(LightingChannels& c, LeaveChannels leave, bool is_whole, Loop loop) {
     EnvironmentChannels& e = c.environment;
-    for (int i = 0; i < lanes; ++i) {
-        const glm::vec3 F = m.F.at(i);
-        const glm::vec3 brdf = e.brdf.at(i);
-        const glm::vec3 k_d = diffuse_share(F, m.metallic.at(i));
-        const float ao = m.ao.at(i);
-        e.F.set(i, F);
-        e.diffuse.set(i, k_d * m.albedo.at(i) * e.irradiance.at(i) * (raster::kInvPi * ao));
-        e.specular.set(i, e.prefiltered.at(i) * (m.f0.at(i) * brdf.x + glm::vec3(brdf.y)) * ao);
+    e.is_added = is_whole && leave != LeaveChannels::always && c.ambient.is_even;
+    if (e.is_added) {
+        c.ambient.is_even = false;
+        return loop(
+            [&c, ambient = c.ambient.even](int i, glm::vec3, const glm::vec3& diffuse, const glm::vec3& specular) {
+                c.ambient.each.set(i, ambient + diffuse + specular);
+            });
     }
+    loop([&e](int i, const glm::vec3& F, const glm::vec3& diffuse, const glm::vec3& specular) {
+        e.F.set(i, F);
+        e.diffuse.set(i, diffuse);
+        e.specular.set(i, specular);
+    });
+}
+
+KREDA_BATCH_LOOP void split_sum(int lanes, LeaveChannels leave, bool is_whole, LightingChannels& c) {
+    const MicrofacetChannels& m = c.microfacet;
+    const EnvironmentChannels& e = c.environment;
+    with_environment_adder(c, leave, is_whole, [&](auto add) {
+        with_surface(m.surface, [&](auto surface) {
+            for (int i = 0; i < lanes; ++i) {  // 4 formulas
+                const glm::vec3 F = m.F.at(i);
+                const glm::vec3 brdf = e.brdf.at(i);
+                const glm::vec3 k_d = diffuse_share(F, surface(i).metallic);
+                const float ao = m.ao.at(i);
+                add(i, F, k_d * surface(i).albedo * e.irradiance.at(i) * (raster::kInvPi * ao),
+                    e.prefiltered.at(i) * (surface(i).f0 * brdf.x + glm::vec3(brdf.y)) * ao);
+            }
+        });
+    });
 }
 
 /// What bounces between facets before it leaves: Kulla and Conty's lobe under light from all sides
@@ -60,13 +99,15 @@ KREDA_BATCH_LOOP void split_sum(int lanes, LightingChannels& c) {
 KREDA_BATCH_LOOP void add_bounces(int lanes, glm::vec3 f_avg_shift, LightingChannels& c) {
     const MicrofacetChannels& m = c.microfacet;
     EnvironmentChannels& e = c.environment;
-    for (int i = 0; i < lanes; ++i) {
-        const glm::vec3 brdf = e.brdf.at(i);
-        const glm::vec3 F_ms = multiple_scattering_color(m.f0.at(i), f_avg_shift, brdf.z);
-        const float lost = raster::saturate(1.0f - (brdf.x + brdf.y));
-        const glm::vec3 bounced = F_ms * e.irradiance.at(i) * (lost * raster::kInvPi * m.ao.at(i));
-        e.specular.set(i, e.specular.at(i) + bounced);
-    }
+    with_surface(m.surface, [&](auto surface) {
+        for (int i = 0; i < lanes; ++i) {  // 2 formulas
+            const glm::vec3 brdf = e.brdf.at(i);
+            const glm::vec3 F_ms = multiple_scattering_color(surface(i).f0, f_avg_shift, brdf.z);
+            const float lost = raster::saturate(1.0f - (brdf.x + brdf.y));
+            const glm::vec3 bounced = F_ms * e.irradiance.at(i) * (lost * raster::kInvPi * m.ao.at(i));
+            e.specular.set(i, e.specular.at(i) + bounced);
+        }
+    });
 }
 
 KREDA_BATCH_LOOP void reflect_diffusely(int lanes, glm::vec3 m_D, LightingChannels& c) {
@@ -99,40 +140,45 @@ KREDA_BATCH_LOOP void add_to_ambient(int lanes, LightingChannels& c) {
 void set_irradiance(int lanes, const EnvironmentSetup& setup, LightingChannels& c) {
     EnvironmentChannels& e = c.environment;
     if (!setup.maps->sh9 && setup.maps->irradiance.empty()) return start_irradiance(lanes, e);
-    turn_to_maps(lanes, setup, c.n, e);
+    const raster::Channel3& n = turned_to_maps(lanes, setup, c.n, e);
     if (setup.maps->sh9)
-        irradiance_of_sh9(*setup.maps->sh9, lanes, e.map_direction, e.irradiance);
+        irradiance_of_sh9(*setup.maps->sh9, lanes, n, e.irradiance);
     else
-        sample_level(setup.maps->irradiance, 0, lanes, e.map_direction, e.scratch, e.irradiance);
-    scale_channel(lanes, setup.intensity, e.irradiance);
+        sample_level(setup.maps->irradiance, 0, lanes, n, e.scratch, e.irradiance);
+    apply_intensity(lanes, setup.intensity, e.irradiance);
 }
 
-/// P along channels.environment.map_direction; without a map of the roughness one level serves all points.
-void set_prefiltered(int lanes, const MaterialSetup& material, const EnvironmentSetup& setup, EnvironmentChannels& e) {
+/// P along channels.environment.direction; where the roughness is the same everywhere one level serves all points.
+void set_prefiltered(int lanes, const EnvironmentSetup& setup, const SurfaceChannels& surface, EnvironmentChannels& e) {
     const CubeMap& map = setup.maps->prefiltered;
-    if (material.maps.roughness.texture) {
-        sample_trilinear(map, lanes, e.map_direction, e.lod, e.scratch, e.prefiltered);
+    const raster::Channel3& r = turned_to_maps(lanes, setup, e.direction, e);
+    if (surface.is_even) {
+        sample_trilinear(map, lanes, r, level_of_alpha(surface.even.alpha), e.scratch, e.prefiltered);
     } else {
-        const float lod = level_of_alpha(material.cook_torrance.surface.alpha);
-        sample_trilinear(map, lanes, e.map_direction, lod, e.scratch, e.prefiltered);
+        set_levels(lanes, surface, e.lod);
+        sample_trilinear(map, lanes, r, e.lod, e.scratch, e.prefiltered);
     }
-    scale_channel(lanes, setup.intensity, e.prefiltered);
+    apply_intensity(lanes, setup.intensity, e.prefiltered);
 }
 
-void set_split_sum(int count, const MaterialSetup& material, const EnvironmentSetup& setup, LightingChannels& c) {
+void set_split_sum(int count, const CookTorranceSetup& material, const EnvironmentSetup& setup, LeaveChannels leave,
+                   LightingChannels& c) {
     const int lanes = lanes_for(count);
-    const CookTorranceSetup& surface = material.cook_torrance;
+    const SurfaceChannels& surface = c.microfacet.surface;
     EnvironmentChannels& e = c.environment;
     set_irradiance(lanes, setup, c);
     direct_to_mirror(lanes, c);
-    turn_to_maps(lanes, setup, e.direction, e);
-    set_prefiltered(lanes, material, setup, e);
-    const BrdfMap* map = find_brdf(*setup.maps, {surface.distribution, surface.geometry});
+    set_prefiltered(lanes, setup, surface, e);
+    const BrdfMap* map = find_brdf(*setup.maps, {material.distribution, material.geometry});
     KREDA_EXPECT(map != nullptr);
-    look_up_brdf(*map, lanes, c.microfacet.n_dot_v, c.microfacet.roughness, e.scratch, e.brdf);
-    evaluate_fresnel(count, surface, c.microfacet);
-    split_sum(lanes, c);
-    if (surface.energy_compensation == EnergyCompensation::kulla_conty) add_bounces(lanes, surface.f_avg_shift, c);
+    if (surface.is_even)
+        look_up_brdf(*map, lanes, c.microfacet.n_dot_v, surface.even.roughness, e.scratch, e.brdf);
+    else
+        look_up_brdf(*map, lanes, c.microfacet.n_dot_v, surface.roughness, e.scratch, e.brdf);
+    evaluate_fresnel(count, material, c.microfacet);
+    const bool bounces = material.energy_compensation == EnergyCompensation::kulla_conty;
+    split_sum(lanes, leave, !bounces, c);
+    if (bounces) add_bounces(lanes, material.f_avg_shift, c);
 }
 
 }  // namespace
@@ -140,16 +186,17 @@ void set_split_sum(int count, const MaterialSetup& material, const EnvironmentSe
 void look_at_environment(int count, const EnvironmentSetup& setup, const raster::Channel3& direction,
                          EnvironmentChannels& channels) {
     const int lanes = lanes_for(count);
-    turn_to_maps(lanes, setup, direction, channels);
-    sample_level(setup.maps->prefiltered, 0, lanes, channels.map_direction, channels.scratch, channels.prefiltered);
-    scale_channel(lanes, setup.intensity, channels.prefiltered);
+    const raster::Channel3& on_map = turned_to_maps(lanes, setup, direction, channels);
+    sample_level(setup.maps->prefiltered, 0, lanes, on_map, channels.scratch, channels.prefiltered);
+    apply_intensity(lanes, setup.intensity, channels.prefiltered);
 }
 
 void add_environment(const raster::Fragments& fragments, const MaterialSetup& material, const EnvironmentSetup& setup,
-                     LightingChannels& channels) {
+                     LeaveChannels leave, LightingChannels& channels) {
     const int count = fragments.count;
     const int lanes = lanes_for(count);
     const bool exact = setup.reference_samples > 0;
+    channels.environment.is_added = false;
     switch (material.material.model) {
         case ReflectionModel::unlit: return;
         case ReflectionModel::cook_torrance:
@@ -157,7 +204,7 @@ void add_environment(const raster::Fragments& fragments, const MaterialSetup& ma
             if (exact)
                 sum_environment(count, material.cook_torrance, setup, channels);
             else
-                set_split_sum(count, material, setup, channels);
+                set_split_sum(count, material.cook_torrance, setup, leave, channels);
             break;
         default:
             if (exact)
@@ -169,7 +216,7 @@ void add_environment(const raster::Fragments& fragments, const MaterialSetup& ma
             else
                 reflect_diffusely(lanes, material.material.phong.diffuse, channels);
     }
-    add_to_ambient(lanes, channels);
+    if (!channels.environment.is_added) add_to_ambient(lanes, channels);
 }
 
 }  // namespace kreda::lighting

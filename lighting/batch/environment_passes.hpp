@@ -4,6 +4,7 @@
 #include <glm/vec3.hpp>
 
 #include "lighting/batch/channels.hpp"
+#include "lighting/batch/passes.hpp"
 #include "lighting/environment/environment.hpp"
 #include "raster/fragments.hpp"
 
@@ -20,8 +21,9 @@ struct MaterialSetup;
 /// cosine for the rest, and the environment's own light for both, weighed by the balance heuristic (Veach & Guibas
 /// 1995). channels.environment.error is what their scatter says about the sum: Hammersley's points are more even than
 /// random ones, so that the true error is mostly less. Requires maps->light.
+/// Unless channels are always to be left, what it adds may go to ambient without standing in channels of its own.
 void add_environment(const raster::Fragments& fragments, const MaterialSetup& material, const EnvironmentSetup& setup,
-                     LightingChannels& channels);
+                     LeaveChannels leave, LightingChannels& channels);
 
 /// Radiance from these directions (world space, any length) into channels.prefiltered.
 void look_at_environment(int count, const EnvironmentSetup& setup, const raster::Channel3& direction,

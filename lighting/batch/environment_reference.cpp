@@ -25,7 +25,7 @@ KREDA_BATCH_LOOP void choose_mirrored(int lanes, glm::vec2 u, LightingChannels& 
         const raster::OrthonormalFrame frame = frame_around(c.n.at(i));
         const glm::vec3 v = to_surface(frame, c.v.at(i));
         const glm::vec3 seen{v.x, v.y, v.z > 1e-4f ? v.z : 1e-4f};
-        const glm::vec3 l = mirror_vector(visible_half_vector(u, seen, c.microfacet.alpha.at(i)), seen);
+        const glm::vec3 l = mirror_vector(visible_half_vector(u, seen, c.microfacet.surface.alpha.at(i)), seen);
         set_direction_to_light(c, i, unit(to_world(frame, l)));
     }
 }
@@ -87,7 +87,7 @@ KREDA_BATCH_LOOP void set_light_density(int lanes, const LightTable& light_table
 /// p = D_GGX G_1(v) / (4 n.v) = D_GGX / (2 (n.v + root))
 KREDA_BATCH_LOOP void set_facet_density(int lanes, const MicrofacetChannels& m, raster::Channel& density) {
     for (int i = 0; i < lanes; ++i) {
-        const float alpha = m.alpha.at(i), n_dot_v = m.n_dot_v.at(i);
+        const float alpha = m.surface.alpha.at(i), n_dot_v = m.n_dot_v.at(i);
         const float D = ggx_distribution(m.n_dot_h.at(i), m.sin2_h.at(i), alpha);
         density.set(i, D / (2.0f * (n_dot_v + smith_root(n_dot_v, alpha))));
     }
@@ -119,10 +119,10 @@ KREDA_BATCH_LOOP void add_diffuse_sample(int lanes, float share, const SampleDen
     const MicrofacetChannels& m = c.microfacet;
     EnvironmentChannels& e = c.environment;
     for (int i = 0; i < lanes; ++i) {
-        const glm::vec3 k_d = diffuse_share(m.F.at(i), m.metallic.at(i));
+        const glm::vec3 k_d = diffuse_share(m.F.at(i), m.surface.metallic.at(i));
         const float cosine = cosine_density(c, i);
         const float weight = cosine * by_densities(cosine, p.light.at(i)) * m.ao.at(i);
-        const glm::vec3 value = k_d * m.albedo.at(i) * e.prefiltered.at(i) * weight;
+        const glm::vec3 value = k_d * m.surface.albedo.at(i) * e.prefiltered.at(i) * weight;
         e.diffuse.set(i, e.diffuse.at(i) + value * share);
         sums.x.set(i, sums.x.at(i) + luminance(value));
     }
@@ -148,7 +148,7 @@ KREDA_BATCH_LOOP void add_bounced_sample(int lanes, float share, const CookTorra
     for (int i = 0; i < lanes; ++i) {  // not vectorized: an option of the reference, and most of it are look-ups
         const float n_dot_l = m.n_dot_l.at(i);
         const glm::vec3 f_ms =
-            n_dot_l > 0.0f ? compensation_term(setup, surface_at(m, i), n_dot_l, m.n_dot_v.at(i)) : glm::vec3(0.0f);
+            n_dot_l > 0.0f ? compensation_term(setup, m.surface.each(i), n_dot_l, m.n_dot_v.at(i)) : glm::vec3(0.0f);
         const float weight = by_densities(n_dot_l * raster::kInvPi, p.light.at(i)) * m.ao.at(i);
         const glm::vec3 value = f_ms * e.prefiltered.at(i) * weight;
         e.specular.set(i, e.specular.at(i) + value * share);
@@ -214,6 +214,7 @@ void sum_environment(int count, const CookTorranceSetup& surface, const Environm
     SampleDensities p;
     SampleSums sums;
     c.l.is_even = false;
+    fill_surface(count, c.microfacet.surface);
     start_reference(lanes, c.environment);
     start_error(lanes, c.environment);
     const auto look = [&] {

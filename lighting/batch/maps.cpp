@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 
+#include "lighting/batch/microfacet_passes.hpp"
 #include "lighting/cook_torrance.hpp"
 #include "lighting/normal_map.hpp"
 #include "raster/platform.hpp"
@@ -38,11 +39,11 @@ void read_value(const Fragments& fragments, const Map& map, const MaterialMaps& 
 }
 
 /// F0 and alpha of the points' own albedo, metallic and roughness.
-KREDA_BATCH_LOOP void derive_surface(int lanes, bool keep, glm::vec3 f0, MicrofacetChannels& m) {
+KREDA_BATCH_LOOP void derive_surface(int lanes, bool keep, glm::vec3 f0, SurfaceChannels& surface) {
     for (int i = 0; i < lanes; ++i) {
-        const glm::vec3 from_albedo = base_reflectivity(m.albedo.at(i), m.metallic.at(i));
-        m.f0.set(i, keep ? f0 : from_albedo);
-        m.alpha.set(i, alpha_from_roughness(m.roughness.at(i)));
+        const glm::vec3 from_albedo = base_reflectivity(surface.albedo.at(i), surface.metallic.at(i));
+        surface.f0.set(i, keep ? f0 : from_albedo);
+        surface.alpha.set(i, alpha_from_roughness(surface.roughness.at(i)));
     }
 }
 
@@ -108,16 +109,17 @@ MapNeeds needs_of(const MaterialMaps& maps) {
 
 void read_maps(const Fragments& fragments, const MaterialMaps& maps, const CookTorranceSetup& setup,
                LightingChannels& channels) {
-    MicrofacetChannels& m = channels.microfacet;
+    SurfaceChannels& surface = channels.microfacet.surface;
     read_color(fragments, maps.normal, maps, channels.level, channels.map_normal);
-    read_value(fragments, maps.ao, maps, channels.level, m.ao);
-    read_value(fragments, maps.roughness, maps, channels.level, m.roughness);
-    read_value(fragments, maps.metallic, maps, channels.level, m.metallic);
+    const bool varies = maps.albedo.texture || maps.metallic.texture || maps.roughness.texture;
+    if (varies) fill_surface(fragments.count, surface);
+    read_value(fragments, maps.ao, maps, channels.level, channels.microfacet.ao);
+    read_value(fragments, maps.roughness, maps, channels.level, surface.roughness);
+    read_value(fragments, maps.metallic, maps, channels.level, surface.metallic);
     read_color(fragments, maps.emission, maps, channels.level, channels.map_emission);
-    read_color(fragments, maps.albedo, maps, channels.level, m.albedo);
+    read_color(fragments, maps.albedo, maps, channels.level, surface.albedo);
     read_color(fragments, maps.diffuse, maps, channels.level, channels.m_D);
-    if (!maps.albedo.texture && !maps.metallic.texture && !maps.roughness.texture) return;
-    derive_surface(lanes_for(fragments.count), setup.has_index, setup.surface.f0, m);
+    if (varies) derive_surface(lanes_for(fragments.count), setup.has_index, setup.surface.f0, surface);
 }
 
 void bend_normals(const Fragments& fragments, const MaterialMaps& maps, LightingChannels& channels) {

@@ -56,7 +56,7 @@ struct MapNeeds {
 [[nodiscard]] MapNeeds needs_of(const MaterialMaps& maps);
 
 /// Look up the maps at every point: channels.m_D, channels.map_emission, channels.map_normal, and albedo, metallic,
-/// roughness, ao of channels.microfacet (f0 and alpha follow; call it after fill_surface). channels.level is that of
+/// roughness, ao of channels.microfacet (f0 and alpha follow; call it after start_surface). channels.level is that of
 /// the color map, or of another where there is none.
 void read_maps(const raster::Fragments& fragments, const MaterialMaps& maps, const CookTorranceSetup& setup,
                LightingChannels& channels);

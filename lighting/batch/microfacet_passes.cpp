@@ -9,13 +9,13 @@ namespace {
 
 using raster::lanes_for;
 
-KREDA_BATCH_LOOP void fill_constants(int lanes, MicrofacetSurface s, MicrofacetChannels& m) {
+KREDA_BATCH_LOOP void fill_channels(int lanes, MicrofacetSurface even, SurfaceChannels& surface) {
     for (int i = 0; i < lanes; ++i) {
-        m.albedo.set(i, s.albedo);
-        m.f0.set(i, s.f0);
-        m.metallic.set(i, s.metallic);
-        m.roughness.set(i, s.roughness);
-        m.alpha.set(i, s.alpha);
+        surface.albedo.set(i, even.albedo);
+        surface.f0.set(i, even.f0);
+        surface.metallic.set(i, even.metallic);
+        surface.roughness.set(i, even.roughness);
+        surface.alpha.set(i, even.alpha);
     }
 }
 
@@ -38,19 +38,23 @@ KREDA_BATCH_LOOP void set_angles(int lanes, LightingChannels& c) {
 
 KREDA_BATCH_LOOP void set_distribution(int lanes, Distribution distribution, MicrofacetChannels& m) {
     with_distribution(distribution, [&](auto D) {
-        for (int i = 0; i < lanes; ++i) {  // 4 formulas
-            m.D.set(i, D(m.n_dot_h.at(i), m.sin2_h.at(i), m.alpha.at(i)));
-        }
+        with_surface(m.surface, [&](auto surface) {
+            for (int i = 0; i < lanes; ++i) {  // 8 formulas
+                m.D.set(i, D(m.n_dot_h.at(i), m.sin2_h.at(i), surface(i).alpha));
+            }
+        });
     });
 }
 
 KREDA_BATCH_LOOP void set_visibility(int lanes, Geometry geometry, LitBy lit_by, MicrofacetChannels& m) {
     with_visibility(geometry, lit_by, [&](auto V) {
-        for (int i = 0; i < lanes; ++i) {  // 6 formulas
-            const MicrofacetAngles angles{m.n_dot_l.at(i), m.n_dot_v.at(i), m.n_dot_h.at(i), m.v_dot_h.at(i),
-                                          m.sin2_h.at(i)};
-            m.V.set(i, V(angles, m.alpha.at(i), m.roughness.at(i)));
-        }
+        with_surface(m.surface, [&](auto surface) {
+            for (int i = 0; i < lanes; ++i) {  // 12 formulas
+                const MicrofacetAngles angles{m.n_dot_l.at(i), m.n_dot_v.at(i), m.n_dot_h.at(i), m.v_dot_h.at(i),
+                                              m.sin2_h.at(i)};
+                m.V.set(i, V(angles, surface(i).alpha, surface(i).roughness));
+            }
+        });
     });
 }
 
@@ -72,9 +76,11 @@ void set_spectral(int lanes, const SpectralIndex& index, MicrofacetChannels& m) 
 
 KREDA_BATCH_LOOP void set_at_one_index(int lanes, const CookTorranceSetup& setup, MicrofacetChannels& m) {
     with_fresnel(setup, [&](auto F) {
-        for (int i = 0; i < lanes; ++i) {  // 11 formulas: a look-up in a table and a copy of F0 are none of them
-            m.F.set(i, F(m.v_dot_h.at(i), m.f0.at(i)));
-        }
+        with_surface(m.surface, [&](auto surface) {
+            for (int i = 0; i < lanes; ++i) {  // 22 formulas: a look-up in a table and a copy of F0 are none of them
+                m.F.set(i, F(m.v_dot_h.at(i), surface(i).f0));
+            }
+        });
     });
 }
 
@@ -88,24 +94,28 @@ void set_fresnel(int lanes, const CookTorranceSetup& setup, MicrofacetChannels& 
 KREDA_BATCH_LOOP void add_light(int lanes, LightingChannels& c) {
     const MicrofacetChannels& m = c.microfacet;
     with_adder(c, [&](auto add) {
-        for (int i = 0; i < lanes; ++i) {  // 8 formulas
-            add(i, combine_terms(m.n_dot_l.at(i), m.D.at(i), m.V.at(i), m.F.at(i), m.albedo.at(i), m.metallic.at(i)));
-        }
+        with_surface(m.surface, [&](auto surface) {
+            for (int i = 0; i < lanes; ++i) {  // 16 formulas
+                add(i, combine_terms(m.n_dot_l.at(i), m.D.at(i), m.V.at(i), m.F.at(i), surface(i).albedo,
+                                     surface(i).metallic));
+            }
+        });
     });
 }
 
 KREDA_BATCH_LOOP void add_compensation(int lanes, const CookTorranceSetup& setup, LightingChannels& c) {
     const MicrofacetChannels& m = c.microfacet;
     for (int i = 0; i < lanes; ++i) {  // not vectorized: an option, and most of it are look-ups in a table
-        const glm::vec3 f_ms = compensation_term(setup, surface_at(m, i), m.n_dot_l.at(i), m.n_dot_v.at(i));
+        const glm::vec3 f_ms = compensation_term(setup, m.surface.at(i), m.n_dot_l.at(i), m.n_dot_v.at(i));
         c.specular.set(i, c.specular.at(i) + c.irradiance.at(i) * f_ms);
     }
 }
 
 }  // namespace
 
-void fill_surface(int count, const CookTorranceSetup& setup, MicrofacetChannels& channels) {
-    fill_constants(lanes_for(count), setup.surface, channels);
+void fill_surface(int count, SurfaceChannels& surface) {
+    if (surface.is_even) fill_channels(lanes_for(count), surface.even, surface);
+    surface.is_even = false;
 }
 
 void set_viewing_angle(int count, LightingChannels& channels) {

@@ -8,13 +8,8 @@
 
 namespace kreda::lighting {
 
-/// The material's constants at every point (read_maps overwrites what maps give).
-void fill_surface(int count, const CookTorranceSetup& setup, MicrofacetChannels& channels);
-
-/// The surface at point i.
-inline MicrofacetSurface surface_at(const MicrofacetChannels& m, int i) {
-    return {m.albedo.at(i), m.f0.at(i), m.metallic.at(i), m.roughness.at(i), m.alpha.at(i)};
-}
+/// Give every point the constants that stood in one place, so that each may be written over.
+void fill_surface(int count, SurfaceChannels& surface);
 
 /// n.v, the same for all lights, from channels.n and channels.v.
 void set_viewing_angle(int count, LightingChannels& channels);
@@ -25,10 +20,11 @@ void evaluate_microfacets(int count, const CookTorranceSetup& setup, LitBy lit_b
 /// F of the material's method at the cosines in channels.v_dot_h.
 void evaluate_fresnel(int count, const CookTorranceSetup& setup, MicrofacetChannels& channels);
 
-/// What a light from a direction chosen by visible_half_vector counts for, without F   D V (n.l) / p
+/// What a light from a direction chosen by visible_half_vector counts for, without F   D V (n.l) / p. Reads the
+/// surface's channels: call fill_surface before.
 ///   p = D_GGX G_1(v) / (4 n.v),   G_1(v) = 2 (n.v) / (n.v + root):   2 V (n.l) (n.v + root) D / D_GGX
 inline float visible_weight(const MicrofacetChannels& m, int i) {
-    const float alpha = m.alpha.at(i);
+    const float alpha = m.surface.alpha.at(i);
     const float n_dot_v = m.n_dot_v.at(i);
     const float D_ggx = ggx_distribution(m.n_dot_h.at(i), m.sin2_h.at(i), alpha);
     const float ratio = m.D.at(i) / (D_ggx > 1e-18f ? D_ggx : 1e-18f);

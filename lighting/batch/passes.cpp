@@ -279,12 +279,11 @@ MaterialSetup prepare(const Material& material) {
     return setup;
 }
 
-void start_surface(const Fragments& fragments, const MaterialSetup& material, const LightingSetup& setup,
-                   LightingChannels& channels) {
+void start_surface(const MaterialSetup& material, const LightingSetup& setup, LightingChannels& channels) {
     channels.ambient.set_all(own_radiance(material, setup.ambient));
     channels.is_lit = channels.is_summed = false;
     if (material.material.model != ReflectionModel::cook_torrance) return;
-    fill_surface(fragments.count, material.cook_torrance, channels.microfacet);
+    channels.microfacet.surface.set_all(material.cook_torrance.surface);
 }
 
 void apply_maps(const Fragments& fragments, const MaterialSetup& material, LightingChannels& channels) {
@@ -308,7 +307,7 @@ void set_directions(const Fragments& fragments, const MaterialSetup& material, c
 
 void start_lighting(const Fragments& fragments, const MaterialSetup& material, const LightingSetup& setup,
                     LightingChannels& channels) {
-    start_surface(fragments, material, setup, channels);
+    start_surface(material, setup, channels);
     if (material.map_needs.uv) apply_maps(fragments, material, channels);
     if (material.material.model == ReflectionModel::unlit) return;
     set_directions(fragments, material, setup, channels);
@@ -335,7 +334,7 @@ void shadow_light(int count, LightingChannels& channels) {
 PointMaterial material_at(const MaterialSetup& setup, const LightingChannels& c, int i) {
     PointMaterial material{setup.material.model, setup.material.phong, &setup.cook_torrance, {}};
     if (setup.maps.diffuse.texture) material.phong.diffuse = c.m_D.at(i);
-    if (material.model == ReflectionModel::cook_torrance) material.surface = surface_at(c.microfacet, i);
+    if (material.model == ReflectionModel::cook_torrance) material.surface = c.microfacet.surface.at(i);
     return material;
 }
 

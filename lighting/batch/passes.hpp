@@ -17,8 +17,7 @@ struct PointMaterial;
 // scene/render/shade.cpp runs them.
 
 /// The material at every point as its constants say: ambient = s_A m_A + m_E; nothing reflected yet.
-void start_surface(const raster::Fragments& fragments, const MaterialSetup& material, const LightingSetup& setup,
-                   LightingChannels& channels);
+void start_surface(const MaterialSetup& material, const LightingSetup& setup, LightingChannels& channels);
 
 /// What the maps say instead of the constants. Reads the fragments' u, v and their steps, as material.map_needs says.
 void apply_maps(const raster::Fragments& fragments, const MaterialSetup& material, LightingChannels& channels);

@@ -27,19 +27,22 @@ void place_nodes(float roughness, RowScratch& row) {
         const float mu = s * s > 1e-4f ? s * s : 1e-4f;  // there is a limit at 0, but the samples do not reach it
         c.n.set(i, {0.0f, 0.0f, 1.0f});
         c.v.set(i, {std::sqrt((1.0f - mu) * (1.0f + mu)), 0.0f, mu});
-        c.microfacet.f0.set(i, glm::vec3(1.0f));
-        c.microfacet.roughness.set(i, roughness);
-        c.microfacet.alpha.set(i, alpha_from_roughness(roughness));
         row.scale.set(i, 0.0f);
         row.bias.set(i, 0.0f);
     }
+    MicrofacetSurface surface;
+    surface.f0 = glm::vec3(1.0f);
+    surface.roughness = roughness;
+    surface.alpha = alpha_from_roughness(roughness);
+    c.microfacet.surface.set_all(surface);
+    fill_surface(kBrdfMapSize, c.microfacet.surface);
     set_viewing_angle(kBrdfMapSize, c);
 }
 
 KREDA_BATCH_LOOP void reflect_at_facets(int lanes, glm::vec2 u, LightingChannels& c) {
     for (int i = 0; i < lanes; ++i) {
         const glm::vec3 v = c.v.at(i);
-        set_direction_to_light(c, i, mirror_vector(visible_half_vector(u, v, c.microfacet.alpha.at(i)), v));
+        set_direction_to_light(c, i, mirror_vector(visible_half_vector(u, v, c.microfacet.surface.alpha.at(i)), v));
     }
 }
 
@@ -71,6 +74,10 @@ float average_energy(const RowScratch& row) {
 
 KREDA_BATCH_LOOP void set_taps(int lanes, const Channel& n_dot_v, const Channel& roughness, TapChannels& taps) {
     for (int i = 0; i < lanes; ++i) taps.set(i, brdf_tap(n_dot_v.at(i), roughness.at(i)));
+}
+
+KREDA_BATCH_LOOP void set_taps_of_row(int lanes, const Channel& n_dot_v, float roughness, TapChannels& taps) {
+    for (int i = 0; i < lanes; ++i) taps.set(i, brdf_tap(n_dot_v.at(i), roughness));
 }
 
 }  // namespace
@@ -120,6 +127,13 @@ BrdfTerms look_up_brdf(const BrdfMap& map, float n_dot_v, float roughness) {
 void look_up_brdf(const BrdfMap& map, int lanes, const Channel& n_dot_v, const Channel& roughness, TapScratch& scratch,
                   raster::Channel3& brdf) {
     set_taps(lanes, n_dot_v, roughness, scratch.taps[0]);
+    read_taps(map.texels.data(), lanes, 1, scratch);
+    split_texels(lanes, scratch, brdf);
+}
+
+void look_up_brdf(const BrdfMap& map, int lanes, const Channel& n_dot_v, float roughness, TapScratch& scratch,
+                  raster::Channel3& brdf) {
+    set_taps_of_row(lanes, n_dot_v, roughness, scratch.taps[0]);
     read_taps(map.texels.data(), lanes, 1, scratch);
     split_texels(lanes, scratch, brdf);
 }

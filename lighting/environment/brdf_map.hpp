@@ -81,6 +81,9 @@ inline BrdfTerms brdf_fit(float n_dot_v, float roughness) {
 /// A, B and E_avg as x, y, z at every point.
 void look_up_brdf(const BrdfMap& map, int lanes, const raster::Channel& n_dot_v, const raster::Channel& roughness,
                   TapScratch& scratch, raster::Channel3& brdf);
+/// The same where all points have the same roughness.
+void look_up_brdf(const BrdfMap& map, int lanes, const raster::Channel& n_dot_v, float roughness, TapScratch& scratch,
+                  raster::Channel3& brdf);
 /// The closed form for `lanes` points at once.
 void brdf_fit(int lanes, const raster::Channel& n_dot_v, const raster::Channel& roughness, raster::Channel3& brdf);
 

@@ -13,6 +13,11 @@ const lighting::MaterialSetup& surface_of(const PassWork& work) {
     return work.frame.plan.materials[work.material];
 }
 
+/// A view, or whoever stops at one point, looks at a light's quantities even where it adds nothing.
+bool is_looked_at(const PassWork& work) {
+    return !work.frame.plan.views.empty() || work.points->count == 1;
+}
+
 /// Lamps do not ask for ao, but a view may.
 void show_constant_ao(int count, const lighting::MaterialSetup& surface, lighting::LightingChannels& channels) {
     if (surface.maps.ao.texture) return;
@@ -24,7 +29,7 @@ void show_constant_ao(int count, const lighting::MaterialSetup& surface, lightin
 void shade_points(const Frame& frame, const raster::Fragments& points, std::uint32_t material,
                   lighting::LightingChannels& channels, TileScratch& scratch) {
     const lighting::MaterialSetup& surface = frame.plan.materials[material];
-    lighting::start_surface(points, surface, frame.lighting, channels);
+    lighting::start_surface(surface, frame.lighting, channels);
     if (!frame.plan.lit_by_environment && !frame.plan.views.empty()) show_constant_ao(points.count, surface, channels);
     scratch.clock.lap(frame.pass_that_lights);
     for (const PlannedPass& pass : frame.lighting_passes) {
@@ -49,7 +54,9 @@ void set_surface(const PassWork& work) {
 }
 
 void add_environment(const PassWork& work) {
-    lighting::add_environment(*work.points, surface_of(work), work.frame.lighting.environment, *work.channels);
+    using enum lighting::LeaveChannels;
+    lighting::add_environment(*work.points, surface_of(work), work.frame.lighting.environment,
+                              is_looked_at(work) ? always : only_of_batches, *work.channels);
 }
 
 void add_light(const PassWork& work) {
@@ -58,9 +65,7 @@ void add_light(const PassWork& work) {
     const bool has_views = !frame.plan.views.empty();
     lighting::sample_light(*work.points, frame.lighting.lights[static_cast<std::size_t>(work.pass.index)],
                            *work.channels);
-    // A view, or whoever stops at one point, looks at a light's quantities even where it adds nothing.
-    const bool looked_at = has_views || count == 1;
-    if (!looked_at && !lighting::any_faces_light(count, *work.channels)) return;
+    if (!is_looked_at(work) && !lighting::any_faces_light(count, *work.channels)) return;
     if (set_shadow(frame, work.pass.index, *work.points, *work.channels)) {
         lighting::shadow_light(count, *work.channels);
     }

@@ -181,9 +181,9 @@ TEST_CASE("Values of a map reach their points and F0 and alpha follow them") {
     const MicrofacetChannels& m = batch.channels->microfacet;
     for (int i = 0; i < kPoints; ++i) {
         const bool left = i % 2 == 0;
-        CHECK(m.metallic.at(i) == (left ? 0.0f : 1.0f));
-        CHECK(m.alpha.at(i) == alpha_from_roughness(left ? 0.2f : 0.9f));
-        CHECK(m.f0.at(i) == (left ? glm::vec3(kDielectricF0) : glm::vec3(0.8f)));
+        CHECK(m.surface.at(i).metallic == (left ? 0.0f : 1.0f));
+        CHECK(m.surface.at(i).alpha == alpha_from_roughness(left ? 0.2f : 0.9f));
+        CHECK(m.surface.at(i).f0 == (left ? glm::vec3(kDielectricF0) : glm::vec3(0.8f)));
     }
 }
 

@@ -228,7 +228,14 @@ def print_channels(batch, lane, prefix):
     for field in batch.type.strip_typedefs().fields():
         value, name = batch[field.name], prefix + field.name
         kind = str(value.type.strip_typedefs().unqualified())
-        if kind == "kreda::raster::Channel":
+        if kind == "kreda::lighting::SurfaceChannels" and value["is_even"]:
+            zero += print_channels(value["even"], lane, name + ".")
+            continue
+        if kind == "float":
+            numbers = [value]
+        elif kind.startswith("glm::vec<3"):
+            numbers = [value[c] for c in "xyz"]
+        elif kind == "kreda::raster::Channel":
             numbers = [value["value"][lane]]
         elif kind == "kreda::raster::Channel3":
             numbers = [value[c][lane] for c in "xyz"]

@@ -97,6 +97,14 @@ def even_or_channel_text(value):
     return "at every point %s" % vec_text(value["even"]) if value["is_even"] else channel3_text(value["each"])
 
 
+def surface_channels_text(value):
+    if not value["is_even"]:
+        return "{albedo = %s, ...}" % channel3_text(value["albedo"])
+    even = value["even"]
+    return "at every point {albedo = %s, f0 = %s, metallic = %s, roughness = %s, alpha = %s}" % (
+        vec_text(even["albedo"]), vec_text(even["f0"]), *(number(even[c]) for c in ("metallic", "roughness", "alpha")))
+
+
 def screen_vertex_text(value):
     place = "x = %d (pixel %s), y = %d (pixel %s)" % (
         int(value["x"]), pixels(value["x"]), int(value["y"]), pixels(value["y"]))
@@ -141,6 +149,7 @@ PRINTERS = [
     ("Channel", r"^kreda::raster::Channel$", channel_text),
     ("Channel3", r"^kreda::raster::Channel3$", channel3_text),
     ("EvenOrChannel", r"^kreda::lighting::EvenOrChannel$", even_or_channel_text),
+    ("SurfaceChannels", r"^kreda::lighting::SurfaceChannels$", surface_channels_text),
     ("ScreenVertex", r"^kreda::raster::ScreenVertex$", screen_vertex_text),
     ("Mesh", r"^kreda::raster::Mesh$", mesh_text),
     ("VertexStreams", r"^kreda::raster::VertexStreams$", streams_text),

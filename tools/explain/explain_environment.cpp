@@ -34,14 +34,14 @@ void explain_prefiltered(const LightingChannels& c, Section& section) {
     const MicrofacetChannels& m = c.microfacet;
     const EnvironmentChannels& e = c.environment;
     const glm::vec3 n = c.n.at(0), v = c.v.at(0);
-    const float alpha = m.alpha.at(0);
+    const float alpha = m.surface.at(0).alpha;
     section.equation("n·v", "max(n·v, 0)", "max(" + dot_text(n, v) + ", 0)", m.n_dot_v.at(0));
     section.equation("r", "2 (n·v) n - v", "", e.direction.at(0), "the mirror direction");
-    section.equation("α", "roughness²", number_text(m.roughness.at(0)) + "²", alpha);
+    section.equation("α", "roughness²", number_text(m.surface.at(0).roughness) + "²", alpha);
     const bool between_mirror_and_first = alpha < lighting::alpha_of_level(1);
     section.equation("level", between_mirror_and_first ? "64 α" : "7 + log2 α",
                      between_mirror_and_first ? "64·" + number_text(alpha) : "7 + log2 " + number_text(alpha),
-                     e.lod.at(0), "of the prefiltered map: 0 is a mirror, 7 is roughness 1");
+                     lighting::level_of_alpha(alpha), "of the prefiltered map: 0 is a mirror, 7 is roughness 1");
     section.equation("P", "intensity prefiltered(r, level)", "", e.prefiltered.at(0),
                      "radiance around r, blurred as the surface is rough");
 }
@@ -50,9 +50,9 @@ void explain_split_sum(const lighting::CookTorranceSetup& setup, const LightingC
     const MicrofacetChannels& m = c.microfacet;
     const EnvironmentChannels& e = c.environment;
     explain_prefiltered(c, section);
-    const glm::vec3 albedo = m.albedo.at(0), f0 = m.f0.at(0), brdf = e.brdf.at(0), F = e.F.at(0);
+    const glm::vec3 albedo = m.surface.at(0).albedo, f0 = m.surface.at(0).f0, brdf = e.brdf.at(0), F = e.F.at(0);
     const glm::vec3 E = e.irradiance.at(0), P = e.prefiltered.at(0);
-    const float metallic = m.metallic.at(0);
+    const float metallic = m.surface.at(0).metallic;
     const std::string ao = number_text(m.ao.at(0)), A = number_text(brdf.x), B = number_text(brdf.y);
     section.equation("A", "", "", brdf.x, "scale of F0: the BRDF map at n·v and roughness");
     section.equation("B", "", "", brdf.y, "and its bias");

@@ -15,12 +15,12 @@ using lighting::MaterialMaps;
 
 glm::vec3 value_of(const lighting::MapUse& use, const LightingChannels& c) {
     const lighting::MicrofacetChannels& m = c.microfacet;
-    if (use.map == &MaterialMaps::albedo) return m.albedo.at(0);
+    if (use.map == &MaterialMaps::albedo) return m.surface.at(0).albedo;
     if (use.map == &MaterialMaps::diffuse) return c.m_D.at(0);
     if (use.map == &MaterialMaps::emission) return c.map_emission.at(0);
     if (use.map == &MaterialMaps::normal) return c.map_normal.at(0);
-    if (use.map == &MaterialMaps::metallic) return glm::vec3(m.metallic.at(0));
-    return glm::vec3(use.map == &MaterialMaps::roughness ? m.roughness.at(0) : m.ao.at(0));
+    if (use.map == &MaterialMaps::metallic) return glm::vec3(m.surface.at(0).metallic);
+    return glm::vec3(use.map == &MaterialMaps::roughness ? m.surface.at(0).roughness : m.ao.at(0));
 }
 
 const char* what_is_read(lighting::TextureFilter filter) {

@@ -117,8 +117,10 @@ Finding measure_fresnel_time(const Effort& effort) {
     const auto channels = std::make_unique<lighting::MicrofacetChannels>();
     for (int i = 0; i < raster::kChannelSize; ++i) {
         channels->v_dot_h.set(i, static_cast<float>(i % raster::kBatchCapacity) / raster::kBatchCapacity);
-        channels->f0.set(i, glm::vec3(0.6f));
     }
+    lighting::MicrofacetSurface surface;
+    surface.f0 = glm::vec3(0.6f);
+    channels->surface.set_all(surface);
     std::vector<lighting::CookTorranceSetup> setups;
     for (const TimedMethod& timed : kTimed) setups.push_back(setup_of(timed, platinum));
     std::vector<std::function<void()>> works;
