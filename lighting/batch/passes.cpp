@@ -1,16 +1,14 @@
 #include "lighting/batch/passes.hpp"
 
 #include "lighting/batch/add_light.hpp"
-#include "lighting/batch/environment_passes.hpp"
+#include "lighting/batch/highlight_passes.hpp"
 #include "lighting/batch/microfacet_passes.hpp"
 #include "lighting/batch/model_loop.hpp"
 #include "lighting/batch/ward_passes.hpp"
-#include "lighting/fog.hpp"
 #include "lighting/light_sample.hpp"
 #include "lighting/reflect.hpp"
 #include "lighting/reflection.hpp"
 #include "raster/platform.hpp"
-#include "raster/scalar_math.hpp"
 
 namespace kreda::lighting {
 
@@ -93,85 +91,6 @@ KREDA_BATCH_LOOP void add_lambert(int lanes, const PhongMaterial& material, bool
               [&c](int i, const PhongMaterial& m) { return lambert(c.n.at(i), c.l.at(i), m); });
 }
 
-/// use(Sigma), where Sigma(n, l, v, n_dot_l) is the measure of reflection of Phong's model or of Blinn's.
-template <class Use>
-inline void with_sigma(ReflectionModel model, Use use) {
-    if (model == ReflectionModel::phong) {
-        return use([](const glm::vec3& n, const glm::vec3& l, const glm::vec3& v, float n_dot_l) {
-            return sigma_phong(v, mirror_vector(n, l, n_dot_l));
-        });
-    }
-    use([](const glm::vec3& n, const glm::vec3& l, const glm::vec3& v, float) {
-        return sigma_blinn(n, half_vector(l, v));
-    });
-}
-
-KREDA_BATCH_LOOP void set_sigma(int lanes, ReflectionModel model, LightingChannels& c) {
-    with_sigma(model, [&](auto Sigma) {
-        with_quantity(c.l, [&](auto l) {
-            for (int i = 0; i < lanes; ++i) {  // 4 formulas
-                c.sigma.set(i, Sigma(c.n.at(i), l(i), c.v.at(i), c.n_dot_l.at(i)));
-            }
-        });
-    });
-}
-
-/// Blinn's Sigma where l and v, and so h, are the same at every point.
-KREDA_BATCH_LOOP void set_sigma_of_one_h(int lanes, glm::vec3 h, LightingChannels& c) {
-    for (int i = 0; i < lanes; ++i) c.sigma.set(i, sigma_blinn(c.n.at(i), h));
-}
-
-/// How many lanes have a highlight: they face the light, and their Sigma is above `least`.
-KREDA_BATCH_LOOP int lanes_with_highlight(int lanes, float least, const LightingChannels& c) {
-    int shining = 0;
-    for (int i = 0; i < lanes; ++i) shining += c.sigma.at(i) * faces_light(c.n_dot_l.at(i)) > least ? 1 : 0;
-    return shining;
-}
-
-/// Is any highlight of the batch above 0? Up to Sigma = 2^(-127/h) the power is below 2^-126, which pow counts as 0.
-/// (0^0 = 1: a shininess of 0 lights everything that faces the light.)
-bool any_highlight(int lanes, float shininess, const LightingChannels& c) {
-    const float least = raster::exp2(-127.0f / shininess);
-    return shininess == 0.0f || lanes_with_highlight(lanes, least, c) > 0;
-}
-
-/// The highlight   highlight_of(Sigma, n.l, m)
-/// Its pow in two loops: the shorter a loop, the more points a processor has under way (a seventh faster).
-KREDA_BATCH_LOOP void raise_sigma(int lanes, float h, LightingChannels& c) {
-    raster::Channel high, low;
-    for (int i = 0; i < lanes; ++i) {
-        const raster::TwoFloats exponent = raster::log2_of_pow(c.sigma.at(i), h);
-        high.set(i, exponent.high);
-        low.set(i, exponent.low);
-    }
-    for (int i = 0; i < lanes; ++i) {
-        const float power = raster::pow_from_log2({high.at(i), low.at(i)}, h);
-        c.highlight.set(i, power * faces_light(c.n_dot_l.at(i)));
-    }
-}
-
-KREDA_BATCH_LOOP void no_highlight(int lanes, LightingChannels& c) {
-    for (int i = 0; i < lanes; ++i) c.highlight.set(i, 0.0f);  // not vectorized: GCC makes it a call of memset
-}
-
-KREDA_BATCH_LOOP void add_phong_terms(int lanes, const PhongMaterial& material, bool map, LightingChannels& c) {
-    add_model(lanes, material, map, c,
-              [&c](int i, const PhongMaterial& m) { return phong_terms(c.n_dot_l.at(i), c.highlight.at(i), m); });
-}
-
-/// Phong and Blinn-Phong: phong() and blinn_phong(), pass by pass.
-void add_highlights(int lanes, const Material& material, bool map, LightingChannels& c) {
-    if (material.model == ReflectionModel::blinn_phong && c.l.is_even && c.one_v)
-        set_sigma_of_one_h(lanes, half_vector(c.l.even, c.v.at(0)), c);
-    else
-        set_sigma(lanes, material.model, c);
-    if (any_highlight(lanes, material.phong.shininess, c))
-        raise_sigma(lanes, material.phong.shininess, c);
-    else
-        no_highlight(lanes, c);
-    add_phong_terms(lanes, material.phong, map, c);
-}
-
 KREDA_BATCH_LOOP void shadow_irradiance(int lanes, LightingChannels& c) {
     with_quantity(c.irradiance, [&](auto s) {
         for (int i = 0; i < lanes; ++i) c.irradiance.each.set(i, c.shadow.at(i) * s(i));  // 2 formulas
@@ -203,40 +122,6 @@ glm::vec3 own_radiance(const MaterialSetup& setup, const glm::vec3& s_A) {
     }
 }
 
-template <class FogFormula>
-inline void fog_loop(const Fragments& f, int lanes, const LightingSetup& setup, LightingChannels& c,
-                     FogFormula formula) {
-    const glm::vec3 eye = setup.eye;
-    const glm::vec3 forward = setup.forward;
-    const bool planar = setup.fog.distance == FogDistance::planar;
-    for (int i = 0; i < lanes; ++i) {
-        const glm::vec3 p = f.position.at(i);
-        const float plane_z = planar_distance(p, eye, forward);
-        const float ray_z = radial_distance(p, eye);
-        c.fog.set(i, formula(planar ? plane_z : ray_z));
-    }
-}
-
-KREDA_BATCH_LOOP void linear_fog(const Fragments& f, int lanes, const LightingSetup& setup, LightingChannels& c) {
-    const float start = setup.fog.start;
-    const float end = setup.fog.end;
-    fog_loop(f, lanes, setup, c, [=](float z) { return fog_linear(z, start, end); });
-}
-
-KREDA_BATCH_LOOP void exp_fog(const Fragments& f, int lanes, const LightingSetup& setup, LightingChannels& c) {
-    const float density = setup.fog.density;
-    fog_loop(f, lanes, setup, c, [=](float z) { return fog_exp(z, density); });
-}
-
-KREDA_BATCH_LOOP void exp2_fog(const Fragments& f, int lanes, const LightingSetup& setup, LightingChannels& c) {
-    const float density = setup.fog.density;
-    fog_loop(f, lanes, setup, c, [=](float z) { return fog_exp2(z, density); });
-}
-
-KREDA_BATCH_LOOP void mix_with_fog(int lanes, glm::vec3 c_f, LightingChannels& c) {
-    for (int i = 0; i < lanes; ++i) c.radiance.set(i, mix_fog(c.fog.at(i), c.radiance.at(i), c_f));
-}
-
 /// What an earlier batch left in the channels of the formula's steps is not this point's.
 void forget_steps(LightingChannels& c) {
     MicrofacetChannels& m = c.microfacet;
@@ -261,7 +146,7 @@ void add_reflection_by_passes(int count, const MaterialSetup& setup, LightingCha
         case ReflectionModel::unlit: return;
         case ReflectionModel::lambert: return add_lambert(lanes, m, map, c);
         case ReflectionModel::phong:
-        case ReflectionModel::blinn_phong: return add_highlights(lanes, setup.material, map, c);
+        case ReflectionModel::blinn_phong: return add_highlights(count, setup.material, map, c);
         case ReflectionModel::ward: return add_ward(count, m, map, c);
         case ReflectionModel::heidrich_seidel: return add_heidrich_seidel(count, m, map, c);
         case ReflectionModel::cook_torrance: return add_cook_torrance(count, setup.cook_torrance, c);
@@ -359,25 +244,6 @@ void copy_color(const Fragments& fragments, LightingChannels& channels) {
     for (int i = 0; i < lanes; ++i) {  // not vectorized: GCC makes it calls of memcpy
         channels.radiance.set(i, fragments.color.at(i));
     }
-}
-
-void fog_factors(const Fragments& fragments, const LightingSetup& setup, LightingChannels& channels) {
-    const int lanes = lanes_for(fragments.count);
-    switch (setup.fog.mode) {
-        case FogMode::none: return;
-        case FogMode::linear: return linear_fog(fragments, lanes, setup, channels);
-        case FogMode::exp: return exp_fog(fragments, lanes, setup, channels);
-        case FogMode::exp2: return exp2_fog(fragments, lanes, setup, channels);
-    }
-}
-
-void copy_fog(const Fragments& fragments, LightingChannels& channels) {
-    // Weights sum to 1 but for their last bits. Above 1, mix_fog would take the fog's light away.
-    for (int i = 0; i < fragments.count; ++i) channels.fog.set(i, raster::saturate(fragments.fog.at(i)));
-}
-
-void apply_fog(int count, const glm::vec3& fog_color, LightingChannels& channels) {
-    mix_with_fog(lanes_for(count), fog_color, channels);
 }
 
 }  // namespace kreda::lighting

@@ -59,13 +59,4 @@ void sum_terms(int count, LightingChannels& channels);
 /// Instead of all that where the points were lit before (at vertices, once a triangle): radiance = fragments.color.
 void copy_color(const raster::Fragments& fragments, LightingChannels& channels);
 
-/// The fog factor of each point from its position.
-void fog_factors(const raster::Fragments& fragments, const LightingSetup& setup, LightingChannels& channels);
-
-/// Instead of fog_factors where the factor was computed at the vertices: f = fragments.fog, in [0, 1].
-void copy_fog(const raster::Fragments& fragments, LightingChannels& channels);
-
-/// radiance = f radiance + (1 - f) fog colour.
-void apply_fog(int count, const glm::vec3& fog_color, LightingChannels& channels);
-
 }  // namespace kreda::lighting

@@ -1,5 +1,6 @@
 // Passes over a batch of a tile: interpolate, light, fog, back into the tile. What they wrote on the way stays in
 // scratch.fragments and scratch.lighting.
+#include "lighting/batch/fog_passes.hpp"
 #include "raster/platform.hpp"
 #include "scene/plan/pass_functions.hpp"
 #include "scene/render/pass_work.hpp"

@@ -5,6 +5,7 @@
 
 #include <glm/geometric.hpp>
 
+#include "lighting/batch/fog_passes.hpp"
 #include "scene/plan/pass_functions.hpp"
 #include "scene/render/pass_work.hpp"
 #include "scene/render/render.hpp"

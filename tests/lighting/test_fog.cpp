@@ -5,7 +5,7 @@
 
 #include <doctest/doctest.h>
 
-#include "lighting/batch/passes.hpp"
+#include "lighting/batch/fog_passes.hpp"
 #include "lighting/fog.hpp"
 
 using namespace kreda::lighting;
