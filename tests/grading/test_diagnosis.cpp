@@ -87,8 +87,8 @@ struct Set {
     const char* name;
     const char* solutions;
 };
-constexpr Set kSets[] = {{"unseen", ""},       {"fresh", "fresh"}, {"third", "third"},
-                         {"fourth", "fourth"}, {"fifth", "fifth"}, {"sixth", "fresh"}};
+constexpr Set kSets[] = {{"unseen", ""},     {"fresh", "fresh"}, {"third", "third"},    {"fourth", "fourth"},
+                         {"fifth", "fifth"}, {"sixth", "fresh"}, {"seventh", "seventh"}};
 
 /// The catalogue as it would be without one way to make a mistake.
 tools::Catalogue without(const tools::Catalogue& all, std::size_t mistake, std::size_t way) {
