@@ -16,8 +16,6 @@ namespace {
 constexpr double kMostMisfit = 0.17;
 constexpr double kMostMisfitOfPair = 0.04;
 constexpr double kMostMisfitByItself = 0.02;
-/// The same where the error may be larger or smaller than the mistake's: then it must be that all over.
-constexpr double kMostMisfitOfScaled = 0.0005;
 /// The next mistake must leave this many times as much.
 constexpr double kClearlyBetter = 3.0;
 /// One of two mistakes that leaves no more than this besides what both leave is named alone.
@@ -183,8 +181,7 @@ double misfit_by_itself(Fits& fits, std::size_t variant) {
         double most = 0.0;
         for (std::size_t i = 0; i < fits.wrong.size(); ++i) {
             if (!is_wrong_by_itself(fits, i)) continue;
-            const double scaled = fits.misfit(e, i);
-            most = std::max(most, scaled <= kMostMisfitOfScaled ? scaled : fits.misfit_at_size(e, i));
+            most = std::max(most, fits.misfit_at_size(e, i));
         }
         least = std::min(least, most);
     }

@@ -1,6 +1,7 @@
 #include "tools/grade/assignment/solved_numbers.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 #include "tools/grade/assignment/place_fits.hpp"
@@ -17,6 +18,8 @@ constexpr int kParts = 8;
 constexpr int kRounds = 7;
 /// So many rows of a table are enough to tell one number from another.
 constexpr std::size_t kMostRows = 1500;
+/// Functions that call a wrong one count so much: they decide between numbers that are the same where it is at work.
+constexpr double kShareOfCallers = 0.01;
 /// A solved number that leaves more is no way of the mistake.
 constexpr double kMostLeft = 0.05;
 
@@ -35,16 +38,17 @@ StageTable some_rows(const StageTable& table, const std::vector<std::size_t>& ro
     return part;
 }
 
-/// The functions that are wrong by themselves, at some rows.
+/// The functions that are wrong, at some rows.
 struct Sample {
     std::vector<std::size_t> table;  ///< their numbers
+    std::vector<bool> by_itself;     ///< wrong although all that they call is right
     std::vector<StageTable> inputs, expected, answers;
 };
 
 Sample sample_of(const Fits& fits) {
     Sample sample;
     for (std::size_t i = 0; i < fits.wrong.size(); ++i) {
-        if (!is_wrong_by_itself(fits, i)) continue;
+        if (!fits.wrong[i]) continue;
         const StageTable& input = fits.marking.cases.inputs[i];
         std::vector<std::size_t> rows;
         for (std::size_t row = 0; row < input.rows; ++row) {
@@ -54,6 +58,7 @@ Sample sample_of(const Fits& fits) {
         for (std::size_t k = 0; k * step < rows.size(); ++k) rows[k] = rows[k * step];
         rows.resize((rows.size() + step - 1) / step);
         sample.table.push_back(i);
+        sample.by_itself.push_back(is_wrong_by_itself(fits, i));
         sample.inputs.push_back(some_rows(input, rows));
         sample.expected.push_back(some_rows(fits.marking.cases.expected[i], rows));
         sample.answers.push_back(some_rows(*fits.marking.answers[i], rows));
@@ -61,17 +66,18 @@ Sample sample_of(const Fits& fits) {
     return sample;
 }
 
-/// The mean of what is left of the errors, over the functions that a number spoils.
+/// The mean of what is left of the errors, over the functions that a number spoils, and a little for those that call
+/// them. Far off may leave more than all.
 struct Left {
-    double sum = 0.0;
-    int count = 0;
-    void add(const Sums& s) {
+    std::array<double, 2> sum{}, count{};
+    void add(const Sums& s, bool by_itself) {
         if (s.vv <= 1e-6) return;
-        sum += s.ss > 0.0 ? (s.ss - 2.0 * s.sv + s.vv) / s.ss : 1.0;  // far off may be more than all
-        ++count;
+        sum[by_itself ? 0 : 1] += s.ss > 0.0 ? (s.ss - 2.0 * s.sv + s.vv) / s.ss : 1.0;
+        count[by_itself ? 0 : 1] += 1.0;
     }
     [[nodiscard]] double mean() const {
-        return count > 0 ? sum / count : 1.0;
+        const double callers = count[1] > 0.0 ? sum[1] / count[1] : 0.0;
+        return (count[0] > 0.0 ? sum[0] / count[0] : 1.0) + kShareOfCallers * callers;
     }
 };
 
@@ -98,7 +104,9 @@ std::vector<Tried> listed_numbers(Fits& fits, const Sample& sample, const Family
         const auto variant = fits.alone.find({family.mistake, way});
         if (ways[way].pattern != family.changes || variant == fits.alone.end()) continue;
         Left left;
-        for (const std::size_t i : sample.table) left.add(fits.sums(variant->second, i));
+        for (std::size_t t = 0; t < sample.table.size(); ++t) {
+            left.add(fits.sums(variant->second, sample.table[t]), sample.by_itself[t]);
+        }
         listed.push_back({ways[way].number, left.mean()});
     }
     std::sort(listed.begin(), listed.end());
@@ -145,7 +153,8 @@ void divide(const Catalogue& catalogue, const Sample& sample, std::vector<Search
             const std::size_t run = i * (kParts - 1) + static_cast<std::size_t>(k) - 1;
             Left left;
             for (std::size_t t = 0; t < sample.table.size(); ++t) {
-                left.add(sums_of(sample.inputs[t], sample.expected[t], sample.answers[t], answers[run][t]));
+                left.add(sums_of(sample.inputs[t], sample.expected[t], sample.answers[t], answers[run][t]),
+                         sample.by_itself[t]);
             }
             if (left.mean() < s.best.left) s.best = {runs[run].number, left.mean()};
         }
@@ -160,7 +169,7 @@ void divide(const Catalogue& catalogue, const Sample& sample, std::vector<Search
 void add_solved_numbers(Fits& fits) {
     if (fits.catalogue().program.empty()) return;
     const Sample sample = sample_of(fits);
-    if (sample.table.empty()) return;
+    if (std::none_of(sample.by_itself.begin(), sample.by_itself.end(), [](bool b) { return b; })) return;
     std::vector<Search> searches = searches_of(fits, sample);
     for (int round = 0; round < kRounds && !searches.empty(); ++round) {
         divide(fits.catalogue(), sample, searches);
