@@ -22,21 +22,21 @@ std::vector<std::string> assignment_folders() {
     return names;
 }
 
-const Lab& lab(const std::string& folder) {
-    static std::map<std::string, Lab> labs;
-    const auto found = labs.find(folder);
+const Lab& lab(const std::string& folder, bool with_pairs) {
+    static std::map<std::pair<std::string, bool>, Lab> labs;
+    const auto found = labs.find({folder, with_pairs});
     if (found != labs.end()) return found->second;
     Lab made{tools::read_rubric(kFolder / folder / "rubric.toml"), {}, {}, {}};
     made.cases = tools::make_cases(made.rubric, {});
-    made.catalogue = tools::make_catalogue(made.rubric, made.cases);
+    made.catalogue = tools::make_catalogue(made.rubric, made.cases, with_pairs);
     for (std::size_t i = 0; i < made.cases.inputs.size(); ++i) {
         const tools::RubricStage& stage = *made.rubric.find_stage(made.cases.inputs[i].stage);
         std::vector<tools::StageCheck>& checks = made.checks.emplace_back();
-        for (const tools::StageTable& answers : made.catalogue.answers.tables[i]) {
-            checks.push_back(tools::check_stage(stage, made.cases.inputs[i], made.cases.expected[i], answers));
+        for (const auto& answers : made.catalogue.answers.tables[i]) {
+            checks.push_back(tools::check_stage(stage, made.cases.inputs[i], made.cases.expected[i], *answers));
         }
     }
-    return labs.emplace(folder, std::move(made)).first->second;
+    return labs.emplace(std::pair(folder, with_pairs), std::move(made)).first->second;
 }
 
 tools::Marking marking(const Lab& lab, const std::vector<tools::StageTable>& tables) {

@@ -3,6 +3,8 @@
 #include <algorithm>
 
 #include "tools/grade/assignment/place_fits.hpp"
+#include "tools/grade/assignment/solved_numbers.hpp"
+#include "tools/grade/assignment/variant_source.hpp"
 
 namespace kreda::tools {
 
@@ -139,7 +141,7 @@ Best best_of(const Fits& fits, std::vector<Candidate> candidates) {
 /// are the same and another explains about as much, nothing can be said.
 bool find_same(Fits& fits, Demand demand, Diagnosis& diagnosis) {
     std::vector<Candidate> same;
-    for (std::size_t k = 0; k < fits.catalogue.variants.size(); ++k) {
+    for (std::size_t k = 0; k < fits.catalogue().variants.size(); ++k) {
         if (fits.mistakes(k).empty() || !is_same(fits, k, demand)) continue;
         if (demand == Demand::pictures && !may_be_named(fits, k)) continue;
         same.push_back({unexplained_by(fits, k), k});
@@ -157,7 +159,7 @@ bool find_same(Fits& fits, Demand demand, Diagnosis& diagnosis) {
 bool has_own_tables(Fits& fits, std::size_t variant) {
     const std::vector<std::size_t>& pair = fits.mistakes(variant);
     const auto is_wrong_alone = [&](std::size_t mistake, std::size_t i) {
-        for (std::size_t k = 0; k < fits.catalogue.variants.size(); ++k) {
+        for (std::size_t k = 0; k < fits.catalogue().variants.size(); ++k) {
             if (fits.mistakes(k) == std::vector<std::size_t>{mistake} && fits.is_wrong(k, i)) return true;
         }
         return false;
@@ -172,13 +174,14 @@ bool has_own_tables(Fits& fits, std::size_t variant) {
 }
 
 /// What is left at most of a function that is wrong although all that it calls is right. There nothing but the mistake
-/// is at work, so that its own numbers must fit nearly exactly; what calls it bends the errors.
+/// is at work, so that its own numbers must fit nearly exactly, and be as large; what calls it bends the errors.
 double misfit_by_itself(Fits& fits, std::size_t variant) {
     double least = 1.0;
     for (const PossibleCause& e : fits.possible_causes(variant)) {
         double most = 0.0;
         for (std::size_t i = 0; i < fits.wrong.size(); ++i) {
-            if (is_wrong_by_itself(fits, i)) most = std::max(most, fits.misfit(e, i));
+            if (!is_wrong_by_itself(fits, i)) continue;
+            most = std::max(most, fits.misfit_at_size(e, i));
         }
         least = std::min(least, most);
     }
@@ -188,7 +191,7 @@ double misfit_by_itself(Fits& fits, std::size_t variant) {
 /// The best fit, if it is good and nothing else fits about as well. Two mistakes need to fit better than one.
 void find_nearest(Fits& fits, Diagnosis& diagnosis) {
     std::vector<Candidate> all;
-    for (std::size_t k = 0; k < fits.catalogue.variants.size(); ++k) {
+    for (std::size_t k = 0; k < fits.catalogue().variants.size(); ++k) {
         if (fits.mistakes(k).empty()) continue;
         for (const PossibleCause& e : fits.possible_causes(k)) all.push_back({misfit_over(fits, e), k});
     }
@@ -222,7 +225,17 @@ Catalogue make_catalogue(const Rubric& rubric, const CaseSet& cases, bool with_p
     Catalogue catalogue;
     catalogue.mistakes = read_mistakes(rubric);
     catalogue.variants = make_variants(read_solution(rubric), catalogue.mistakes, with_pairs);
-    catalogue.answers = answers_of_variants(rubric, cases, catalogue.variants);
+    const std::string solution = read_solution(rubric);
+    std::vector<Variant> compiled = catalogue.variants;
+    for (Family family : families_of(catalogue.mistakes)) {
+        const std::string text = open_solution(solution, family, kFreeNumber);
+        if (text.empty()) continue;
+        family.program_variant = compiled.size();
+        compiled.push_back({{}, {}, text});
+        catalogue.families.push_back(family);
+    }
+    catalogue.answers = answers_of_variants(rubric, cases, compiled, catalogue.variants.size());
+    if (!catalogue.families.empty()) catalogue.program = program_of_variants(rubric, compiled);
     return catalogue;
 }
 
@@ -235,6 +248,10 @@ Diagnosis diagnose(const Marking& marking, const Catalogue& catalogue) {
         return diagnosis;
     }
     Fits fits(marking, catalogue);
+    for (const Demand demand : {Demand::all, Demand::wrong}) {
+        if (find_same(fits, demand, diagnosis)) return diagnosis;
+    }
+    add_solved_numbers(fits);
     for (const Demand demand : {Demand::all, Demand::wrong, Demand::pictures}) {
         if (find_same(fits, demand, diagnosis)) return diagnosis;
     }

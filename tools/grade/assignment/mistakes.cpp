@@ -20,11 +20,11 @@ std::string literal(double value) {
     return text.str() + (text.str().find_first_of(".e") == std::string::npos ? ".0f" : "f");
 }
 
-/// The changes with a number for each `$` of what becomes of the text.
-std::vector<TextChange> with_number(std::vector<TextChange> changes, double value) {
+/// The changes with a text for each `$` of what becomes of the solution's.
+std::vector<TextChange> with_text(std::vector<TextChange> changes, const std::string& text) {
     for (TextChange& change : changes) {
         for (std::size_t at; (at = change.second.find('$')) != std::string::npos;) {
-            change.second.replace(at, 1, literal(value));
+            change.second.replace(at, 1, text);
         }
     }
     return changes;
@@ -54,10 +54,10 @@ void check_fits(const std::vector<TextChange>& changes, const std::string& solut
 void add_family(const std::vector<TextChange>& changes, const std::vector<double>& values, bool in_pairs,
                 std::vector<Way>& ways) {
     const std::size_t family = ways.empty() ? 0 : ways.back().family + 1;
-    if (values.empty()) ways.push_back({changes, family, in_pairs});
+    if (values.empty()) ways.push_back({changes, {}, 0.0, family, in_pairs});
     for (std::size_t i = 0; i < values.size(); ++i) {
         const bool is_end = i == 0 || i + 1 == values.size();
-        ways.push_back({with_number(changes, values[i]), family, in_pairs && is_end});
+        ways.push_back({with_text(changes, literal(values[i])), changes, values[i], family, in_pairs && is_end});
     }
 }
 
@@ -134,6 +134,29 @@ std::vector<Mistake> read_mistakes(const fs::path& file, const std::string& solu
 
 std::vector<Mistake> read_mistakes(const Rubric& rubric) {
     return read_mistakes(rubric.folder() / "teacher" / "mistakes.toml", read_solution(rubric));
+}
+
+std::vector<Family> families_of(const std::vector<Mistake>& mistakes) {
+    std::vector<Family> families;
+    const auto is_constant = [](const TextChange& change) {
+        return change.second.find('$') != std::string::npos && change.second.find("constexpr") != std::string::npos;
+    };
+    for (std::size_t m = 0; m < mistakes.size(); ++m) {
+        for (const Way& way : mistakes[m].ways) {
+            if (way.pattern.empty() || std::any_of(way.pattern.begin(), way.pattern.end(), is_constant)) continue;
+            const bool is_known = std::any_of(families.begin(), families.end(), [&](const Family& f) {
+                return f.mistake == m && f.changes == way.pattern;
+            });
+            if (!is_known) families.push_back({m, way.pattern, 0});
+        }
+    }
+    return families;
+}
+
+std::string open_solution(const std::string& solution, const Family& family, const std::string& variable) {
+    std::string text = solution;
+    const std::vector<TextChange> changes = with_text(family.changes, variable);
+    return apply(changes, text) ? text : std::string();
 }
 
 bool apply(const std::vector<TextChange>& changes, std::string& text) {

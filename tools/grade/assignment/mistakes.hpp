@@ -16,6 +16,8 @@ using TextChange = std::pair<std::string, std::string>;
 /// One way to make a mistake. Where a number in it is free, there is a way for each of some of its values: a family.
 struct Way {
     std::vector<TextChange> changes;
+    std::vector<TextChange> pattern;  ///< of a family: the changes with `$` in place of the number
+    double number = 0.0;
     std::size_t family = 0;  ///< the same for ways of a mistake that differ by their number alone
     bool in_pairs = true;    ///< of a family only the least and the greatest number make pairs
 };
@@ -32,6 +34,15 @@ struct Mistake {
 /// The same from another file, made in another solution; tests have catalogues of their own.
 [[nodiscard]] std::vector<Mistake> read_mistakes(const std::filesystem::path& file, const std::string& solution);
 
+/// The ways of a mistake that differ by their number alone, wherever they stand in the catalogue.
+struct Family {
+    std::size_t mistake = 0;
+    std::vector<TextChange> changes;  ///< with `$`
+    std::size_t program_variant = 0;  ///< its number in the program of all variants
+};
+/// Those whose number may be one that is known only when the program runs: not where C++ wants a constant.
+[[nodiscard]] std::vector<Family> families_of(const std::vector<Mistake>& mistakes);
+
 /// A changed solution.
 struct Variant {
     std::vector<std::size_t> mistakes;  ///< indices; none: the solution itself; two: a pair
@@ -43,6 +54,10 @@ struct Variant {
 /// touch, if both are in_pairs.
 [[nodiscard]] std::vector<Variant> make_variants(const std::string& solution, const std::vector<Mistake>& mistakes,
                                                  bool with_pairs);
+
+/// The solution with a family's changes, which read a variable of this name in place of the number; empty where they do
+/// not fit.
+[[nodiscard]] std::string open_solution(const std::string& solution, const Family& family, const std::string& variable);
 
 /// The text with a mistake's changes; false where one does not fit any more.
 [[nodiscard]] bool apply(const std::vector<TextChange>& changes, std::string& text);

@@ -36,19 +36,6 @@ void for_each_number(const StageTable& input, const StageTable& expected, const 
     }
 }
 
-Sums sums_of(const StageTable& input, const StageTable& expected, const StageTable& s, const StageTable& v) {
-    Sums sums;
-    for_each_number(input, expected, [&](std::size_t c, std::size_t i, double scale) {
-        const double right = expected.columns[c].values[i];
-        const double a = error_of(s.columns[c].values[i], right, scale);
-        const double b = error_of(v.columns[c].values[i], right, scale);
-        sums.ss += a * a;
-        sums.sv += a * b;
-        sums.vv += b * b;
-    });
-    return sums;
-}
-
 /// One and the same wrong answer in every row is no evidence: many mistakes leave a black picture.
 bool says_something(const StageTable& answers, const StageTable& expected) {
     for (std::size_t k = 0; k < answers.columns.size(); ++k) {
@@ -63,13 +50,30 @@ bool says_something(const StageTable& answers, const StageTable& expected) {
 
 }  // namespace
 
+Sums sums_of(const StageTable& input, const StageTable& expected, const StageTable& s, const StageTable& v) {
+    Sums sums;
+    for_each_number(input, expected, [&](std::size_t c, std::size_t i, double scale) {
+        const double right = expected.columns[c].values[i];
+        const double a = error_of(s.columns[c].values[i], right, scale);
+        const double b = error_of(v.columns[c].values[i], right, scale);
+        sums.ss += a * a;
+        sums.sv += a * b;
+        sums.vv += b * b;
+    });
+    return sums;
+}
+
 double misfit_of(const Sums& sums) {
     if (sums.ss <= 0.0 || sums.vv <= 0.0) return 1.0;
     const double a = std::clamp(sums.sv / sums.vv, 0.3, 3.0);
     return std::clamp((sums.ss - 2.0 * a * sums.sv + a * a * sums.vv) / sums.ss, 0.0, 1.0);
 }
 
-Fits::Fits(const Marking& m, const Catalogue& all) : marking(m), catalogue(all) {
+double left_of(const Sums& sums) {
+    return sums.ss > 0.0 ? std::clamp((sums.ss - 2.0 * sums.sv + sums.vv) / sums.ss, 0.0, 1.0) : 1.0;
+}
+
+Fits::Fits(const Marking& m, const Catalogue& all) : marking(m), given_(all) {
     for (std::size_t i = 0; i < m.answers.size(); ++i) {
         wrong.push_back(is_answered(i) && !m.checks[i].passed());
         speaks.push_back(wrong[i] && says_something(*m.answers[i], m.cases.expected[i]));
@@ -83,21 +87,38 @@ Fits::Fits(const Marking& m, const Catalogue& all) : marking(m), catalogue(all) 
     }
 }
 
+void Fits::add_way(const Family& family, double number, std::vector<StageTable> answers) {
+    if (!extended_) extended_ = std::make_unique<Catalogue>(given_);
+    std::vector<Way>& ways = extended_->mistakes[family.mistake].ways;
+    alone[{family.mistake, ways.size()}] = extended_->variants.size();
+    extended_->variants.push_back({{family.mistake}, {ways.size()}, {}});
+    ways.push_back({family.changes, family.changes, number, ways.back().family + 1, false});
+    std::vector<std::size_t>& numbers = extended_->answers.number.emplace_back();
+    for (std::size_t i = 0; i < answers.size(); ++i) {
+        std::vector<std::shared_ptr<const StageTable>>& tables = extended_->answers.tables[i];
+        numbers.push_back(tables.size());
+        tables.push_back(std::make_shared<const StageTable>(std::move(answers[i])));
+        same_as[i].emplace_back();
+        sums_to[i].emplace_back();
+        mistake_misfits_.erase({family.mistake, i});
+    }
+}
+
 bool Fits::same(std::size_t variant, std::size_t i) {
-    std::optional<bool>& known = same_as[i][catalogue.answers.number[variant][i]];
+    std::optional<bool>& known = same_as[i][catalogue().answers.number[variant][i]];
     if (!known) {
         known = same_answers(marking.stage(i), marking.cases.inputs[i], *marking.answers[i],
-                             catalogue.answers.of(variant, i), kSameShare);
+                             catalogue().answers.of(variant, i), kSameShare);
     }
     return *known;
 }
 
 double Fits::product(std::size_t a, std::size_t b, std::size_t i) {
-    const std::vector<std::vector<std::size_t>>& number = catalogue.answers.number;
+    const std::vector<std::vector<std::size_t>>& number = catalogue().answers.number;
     const auto [found, is_new] = products[i].try_emplace({number[a][i], number[b][i]}, 0.0);
     if (is_new) {
-        found->second = sums_of(marking.cases.inputs[i], marking.cases.expected[i], catalogue.answers.of(a, i),
-                                catalogue.answers.of(b, i))
+        found->second = sums_of(marking.cases.inputs[i], marking.cases.expected[i], catalogue().answers.of(a, i),
+                                catalogue().answers.of(b, i))
                             .sv;
     }
     return found->second;
@@ -106,11 +127,11 @@ double Fits::product(std::size_t a, std::size_t b, std::size_t i) {
 double Fits::misfit(std::size_t variant, std::size_t i) {
     if (same(variant, i)) return 0.0;
     double best = misfit_of(sums(variant, i));
-    const Variant& v = catalogue.variants[variant];
+    const Variant& v = catalogue().variants[variant];
     for (std::size_t k = 0; v.ways.size() == 2 && k < 2; ++k) {
         if (alone.find({v.mistakes[k], v.ways[k]}) == alone.end()) continue;
         const std::size_t single = alone.at({v.mistakes[k], v.ways[k]});
-        if (catalogue.answers.number[single][i] != catalogue.answers.number[variant][i]) continue;
+        if (catalogue().answers.number[single][i] != catalogue().answers.number[variant][i]) continue;
         best = std::min(best, misfit_of_mistake(v.mistakes[k], i));
     }
     return best;
@@ -118,7 +139,7 @@ double Fits::misfit(std::size_t variant, std::size_t i) {
 
 double Fits::misfit_of_mistake(std::size_t mistake, std::size_t i) {
     const auto [found, is_new] = mistake_misfits_.try_emplace({mistake, i}, 1.0);
-    for (std::size_t way = 0; is_new && way < catalogue.mistakes[mistake].ways.size(); ++way) {
+    for (std::size_t way = 0; is_new && way < catalogue().mistakes[mistake].ways.size(); ++way) {
         if (alone.find({mistake, way}) == alone.end()) continue;
         for (const PossibleCause& e : possible_causes(alone.at({mistake, way}))) {
             found->second = std::min(found->second, misfit(e, i));
@@ -138,8 +159,13 @@ double Fits::misfit(const PossibleCause& e, std::size_t i) {
     return std::clamp((v.ss - 2.0 * sv + vv) / v.ss, 0.0, 1.0);
 }
 
+double Fits::misfit_at_size(const PossibleCause& e, std::size_t i) {
+    if (e.share > 0.0 || mistakes(e.variant).size() > 1 || same(e.variant, i)) return misfit(e, i);
+    return left_of(sums(e.variant, i));
+}
+
 double Fits::misfit_between(std::size_t a, std::size_t b, std::size_t i) {
-    const VariantAnswers& answers = catalogue.answers;
+    const VariantAnswers& answers = catalogue().answers;
     const auto [found, is_new] = between_misfits_.try_emplace({answers.number[a][i], answers.number[b][i], i}, 1.0);
     if (!is_new) return found->second;
     double all = 0.0, decided = 0.0, left = 0.0;
@@ -162,9 +188,9 @@ double Fits::misfit_between(std::size_t a, std::size_t b, std::size_t i) {
 
 std::vector<PossibleCause> Fits::possible_causes(std::size_t variant) const {
     std::vector<PossibleCause> all{{variant, variant, 0.0}};
-    const Variant& v = catalogue.variants[variant];
+    const Variant& v = catalogue().variants[variant];
     if (v.ways.size() != 1) return all;
-    const std::vector<Way>& ways = catalogue.mistakes[v.mistakes[0]].ways;
+    const std::vector<Way>& ways = catalogue().mistakes[v.mistakes[0]].ways;
     const std::size_t way = v.ways[0];
     const auto next = alone.find({v.mistakes[0], way + 1});
     if (next == alone.end() || ways[way + 1].family != ways[way].family) return all;
@@ -174,10 +200,10 @@ std::vector<PossibleCause> Fits::possible_causes(std::size_t variant) const {
 }
 
 const Sums& Fits::sums(std::size_t variant, std::size_t i) {
-    std::optional<Sums>& known = sums_to[i][catalogue.answers.number[variant][i]];
+    std::optional<Sums>& known = sums_to[i][catalogue().answers.number[variant][i]];
     if (!known) {
         known = sums_of(marking.cases.inputs[i], marking.cases.expected[i], *marking.answers[i],
-                        catalogue.answers.of(variant, i));
+                        catalogue().answers.of(variant, i));
     }
     return *known;
 }

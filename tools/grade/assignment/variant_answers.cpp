@@ -1,5 +1,6 @@
 #include "tools/grade/assignment/variant_answers.hpp"
 
+#include <cstdio>
 #include <sstream>
 
 #include "tools/grade/assignment/build_program.hpp"
@@ -35,10 +36,12 @@ VariantAnswers read_answers(const fs::path& folder, const CaseSet& cases, std::s
     }
     DecodedTables decoded = decode_tables(read_text((folder / "answers.bin").string()), shapes);
     if (!decoded.complaint.empty()) throw scene::UserError("a variant of the solution gave " + decoded.complaint);
-    auto next = std::make_move_iterator(decoded.tables.begin());
+    auto next = decoded.tables.begin();
     for (const std::size_t count : counts) {
-        answers.tables.emplace_back(next, next + static_cast<std::ptrdiff_t>(count));
-        next += static_cast<std::ptrdiff_t>(count);
+        answers.tables.emplace_back();
+        for (std::size_t k = 0; k < count; ++k) {
+            answers.tables.back().push_back(std::make_shared<const StageTable>(std::move(*next++)));
+        }
     }
     return answers;
 }
@@ -51,25 +54,70 @@ std::vector<StageTable> VariantAnswers::all_of(std::size_t variant) const {
     return all;
 }
 
-VariantAnswers answers_of_variants(const Rubric& rubric, const CaseSet& cases, const std::vector<Variant>& variants,
-                                   std::size_t count) {
+namespace {
+
+/// The name of the program in the cache; it stands for all that the program was made of.
+std::string name_of(const Rubric& rubric, const std::string& source) {
+    return content_name(read_text(given_files(rubric).harness.string()) + source);
+}
+
+fs::path program_of_source(const Rubric& rubric, const std::string& source) {
     const fs::path harness = given_files(rubric).harness;
-    const std::string source = source_of(rubric, variants);
-    const std::string name = content_name(read_text(harness.string()) + source);
-    const fs::path built = cached_folder("variants-" + name, [&](const fs::path& folder) {
+    const fs::path built = cached_folder("variants-" + name_of(rubric, source), [&](const fs::path& folder) {
         write_file((folder / "variants.cpp").string(), source);
         run_trusted({"/usr/bin/g++", "-std=c++20", "-DGLM_FORCE_XYZW_ONLY", "-O1", "-w", "-ffp-contract=off", "-I",
                      harness.parent_path().string(), (folder / "variants.cpp").string(), "-o",
                      (folder / "program").string()});
     });
+    return built / "program";
+}
+
+}  // namespace
+
+fs::path program_of_variants(const Rubric& rubric, const std::vector<Variant>& variants) {
+    return program_of_source(rubric, source_of(rubric, variants));
+}
+
+VariantAnswers answers_of_variants(const Rubric& rubric, const CaseSet& cases, const std::vector<Variant>& variants,
+                                   std::size_t count) {
+    const std::string source = source_of(rubric, variants);
+    const fs::path program = program_of_source(rubric, source);
     const std::string inputs = encode_tables(cases.inputs), run = std::to_string(count);
-    const fs::path answered =
-        cached_folder("answers-" + name + "-" + content_name(inputs + run), [&](const fs::path& folder) {
-            write_file((folder / "inputs.bin").string(), inputs);
-            run_trusted({(built / "program").string(), (folder / "inputs.bin").string(), folder.string(), run});
-            fs::remove(folder / "inputs.bin");
-        });
+    const std::string name = "answers-" + name_of(rubric, source) + "-" + content_name(inputs + run);
+    const fs::path answered = cached_folder(name, [&](const fs::path& folder) {
+        write_file((folder / "inputs.bin").string(), inputs);
+        run_trusted({program.string(), (folder / "inputs.bin").string(), folder.string(), run});
+        fs::remove(folder / "inputs.bin");
+    });
     return read_answers(answered, cases, count);
+}
+
+std::vector<std::vector<StageTable>> answers_with_numbers(const fs::path& program,
+                                                          const std::vector<StageTable>& inputs,
+                                                          const std::vector<StageTable>& expected,
+                                                          const std::vector<NumberedRun>& runs) {
+    const BoxFolder folder;  // a folder of its own, removed at the end
+    const fs::path input_file = folder.path() / "inputs.bin";
+    write_file(input_file.string(), encode_tables(inputs));
+    std::vector<std::string> command{program.string(), input_file.string(), folder.path().string(), "0"};
+    for (const NumberedRun& run : runs) {
+        command.push_back(std::to_string(run.variant));
+        char number[32];
+        std::snprintf(number, sizeof number, "%.9g", run.number);
+        command.push_back(number);
+    }
+    run_trusted(command);
+    std::vector<StageTable> shapes;
+    for (const StageTable& table : expected) shapes.insert(shapes.end(), runs.size(), table);
+    DecodedTables decoded = decode_tables(read_text((folder.path() / "answers.bin").string()), shapes);
+    if (!decoded.complaint.empty()) throw scene::UserError("a variant of the solution gave " + decoded.complaint);
+    std::vector<std::vector<StageTable>> answers(runs.size());
+    for (std::size_t i = 0; i < inputs.size(); ++i) {
+        for (std::size_t k = 0; k < runs.size(); ++k) {
+            answers[k].push_back(std::move(decoded.tables[i * runs.size() + k]));
+        }
+    }
+    return answers;
 }
 
 }  // namespace kreda::tools

@@ -150,7 +150,21 @@ struct TableRuns {
         return answer;
     }
 };
-int main(int, char** argv) {
+int run_with_numbers(int argc, char** argv) {
+    std::ofstream bytes(argv[2] + std::string("/answers.bin"), std::ios::binary);
+    for (harness::Table& table : harness::read_tables(argv[1])) {
+        for (int k = 4; k + 1 < argc; k += 2) {
+            table.outputs.clear();
+            dispatch::current = std::stoul(argv[k]);
+            free_number = std::stof(argv[k + 1]);
+            for (std::size_t i = 0; i < table.rows; ++i) dispatch::run_row(harness::Row{table, i});
+            harness::write_table(bytes, table);
+        }
+    }
+    return bytes.flush() ? 0 : 1;
+}
+int main(int argc, char** argv) {
+    if (argc > 4) return run_with_numbers(argc, argv);
     const std::string folder = argv[2];
     const std::size_t count = std::stoul(argv[3]);
     std::ofstream bytes(folder + "/answers.bin", std::ios::binary), index(folder + "/index.txt");
@@ -232,8 +246,9 @@ std::string variant_source(const std::string& assignment_header, const std::stri
         dispatchers += dispatcher(prototypes[f], f, versions.functions[f].size());
     }
     for (const std::string& head : heads) includes += head + "\n";
-    return includes + "#include \"harness.hpp\"\n" + types + "namespace dispatch {\n" + declarations + "}\n" +
-           versions.text + choice_table(versions.choices, prototypes.size()) +
+    return includes + "#include \"harness.hpp\"\n" + types + "float " + kFreeNumber +
+           " = 0.0f;\nnamespace dispatch {\n" + declarations + "}\n" + versions.text +
+           choice_table(versions.choices, prototypes.size()) +
            "namespace dispatch {\nstd::size_t current = 0;\nstd::array<bool, kFunctions> called{};\n" + dispatchers +
            stage_body + "}\n" + kMain;
 }

@@ -23,6 +23,9 @@ struct SolutionParts {
     std::vector<std::string> functions;  ///< one a prototype; all empty: `helpers` is the whole solution
 };
 
+/// The variable that variants with a free number read.
+inline constexpr const char* kFreeNumber = "free_number";
+
 /// Functions begin in the first column and end with "}" there. Where one of them cannot be found, nothing is split.
 [[nodiscard]] SolutionParts split_solution(const std::string& solution, const std::vector<Prototype>& prototypes);
 
@@ -30,8 +33,9 @@ struct SolutionParts {
 /// themselves, call through functions that hand each call to the variant whose turn it is. The program takes
 /// INPUTS, a FOLDER, and how many of the first variants to run. FOLDER/answers.bin: for each table of inputs the
 /// different answers to it, as tables. FOLDER/index.txt: for each table of inputs how many they are, and the number of
-/// every variant's. A variant is run on a table only if no other had the same functions where the table's rows called
-/// any.
+/// every variant's. With further arguments, "variant number variant number ...", it writes what each of these variants
+/// answers while kFreeNumber, a variable that any solution may read, has that number. A variant is run on a table only
+/// if no other had the same functions where the table's rows called any.
 [[nodiscard]] std::string variant_source(const std::string& assignment_header, const std::string& stages,
                                          const std::vector<std::string>& solutions);
 
