@@ -121,7 +121,8 @@ void keep_nearest(std::vector<Search>& searches, std::size_t most) {
     searches.resize(std::min(searches.size(), most));
 }
 
-/// The families that come nearest with a listed number, and the numbers beside that.
+/// The families that come nearest with a listed number, and the numbers beside that; half a step beyond the ends, where
+/// a mistake may become another one (a power of 1).
 std::vector<Search> searches_of(Fits& fits, const Sample& sample) {
     std::vector<Search> all;
     for (std::size_t f = 0; f < fits.catalogue().families.size(); ++f) {
@@ -130,8 +131,8 @@ std::vector<Search> searches_of(Fits& fits, const Sample& sample) {
         const auto best = std::min_element(listed.begin(), listed.end(),
                                            [](const Tried& a, const Tried& b) { return a.left < b.left; });
         const bool is_first = best == listed.begin(), is_last = best + 1 == listed.end();
-        const double low = is_first ? 2.0 * best->number - (best + 1)->number : (best - 1)->number;
-        const double high = is_last ? 2.0 * best->number - (best - 1)->number : (best + 1)->number;
+        const double low = is_first ? 1.5 * best->number - 0.5 * (best + 1)->number : (best - 1)->number;
+        const double high = is_last ? 1.5 * best->number - 0.5 * (best - 1)->number : (best + 1)->number;
         all.push_back({f, low, high, *best});
     }
     keep_nearest(all, kMostSearches);
