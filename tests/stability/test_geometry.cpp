@@ -5,6 +5,7 @@
 #include <cstdlib>
 #include <fstream>
 #include <iostream>
+#include <numbers>
 #include <sstream>
 #include <string>
 #include <vector>
@@ -50,20 +51,32 @@ struct Extreme {
     double far = 20.0;     ///< in scales
     double stretch = 1.0;  ///< of the ball's width: a sliver where it is small
     double floor = 4.0;    ///< half the floor's side, in scales: beyond the camera w passes through 0
+    double wall = 0.0;     ///< half the side of a wall behind the ball, and the camera looks straight at it; 0: none
+    double speck = 0.0;    ///< the radius of another ball in the air; 0: none
     std::string size = "[64, 48]";
 };
 
-raster::Image draw(const Extreme& e, const Setting& setting) {
+std::string objects_of(const Extreme& e) {
     const double s = e.scale;
+    const std::string ball = "[[object]]\nmesh = \"sphere\"\ndetail = 12\n", plane = "[[object]]\nmesh = \"plane\"\n";
+    std::string text = ball + "scale = " + place(e.stretch * s, s, s) + "\ntranslate = " + place(0.0, s, 0.0) + "\n" +
+                       plane + "scale = " + number(e.floor * s) + "\n";
+    if (e.wall > 0.0)
+        text += plane + "casts_shadow = false\nrotate = [90, 0, 0]\nscale = " + number(e.wall * s) +
+                "\ntranslate = " + place(0.0, 0.0, -s) + "\n";
+    if (e.speck > 0.0)
+        text += ball + "scale = " + number(e.speck * s) + "\ntranslate = " + place(1.0 * s, 2.0 * s, 2.0 * s) + "\n";
+    return text;
+}
+
+raster::Image draw(const Extreme& e, const Setting& setting) {
+    const double s = e.scale, eye_x = e.wall > 0.0 ? 0.0 : s, eye_y = e.wall > 0.0 ? 0.75 * s : 2.5 * s;
     const std::string text =
         "[image]\nsize = " + e.size +
-        "\nbackground = [0.2, 0.3, 0.4]\n[camera]\nposition = " + place(1.0 * s, 2.5 * s, 5.0 * s) +
+        "\nbackground = [0.2, 0.3, 0.4]\n[camera]\nposition = " + place(eye_x, eye_y, 5.0 * s) +
         "\ntarget = " + place(0.0, 0.75 * s, 0.0) + "\nnear = " + number(e.near * s) + "\nfar = " + number(e.far * s) +
         "\n[[light]]\nshadow = true\ntype = \"" + setting.light + "\"\nposition = " + place(2.0 * s, 5.0 * s, 1.5 * s) +
-        "\ndirection = [-2.0, -5.0, -1.5]\n[shadow]\nsize = 128\nmethod = \"" + setting.method +
-        "\"\n[[object]]\nmesh = \"sphere\"\ndetail = 12\nscale = " + place(e.stretch * s, s, s) +
-        "\ntranslate = " + place(0.0, 1.0 * s, 0.0) + "\n[[object]]\nmesh = \"plane\"\nscale = " + number(e.floor * s) +
-        "\n";
+        "\ndirection = [-2.0, -5.0, -1.5]\n[shadow]\nsize = 128\nmethod = \"" + setting.method + "\"\n" + objects_of(e);
     return render(scene::read_scene_text(text, "extreme", ""));
 }
 
@@ -148,6 +161,15 @@ TEST_CASE("geometry: a floor that runs through the camera's plane and beyond loo
     wider.floor = 1e4;
     wide.far = wider.far = 500.0;
     check_row({"a floor of 1e4 through w = 0, beside one of 1e3", wider, 60}, wide);
+}
+
+TEST_CASE("geometry: triangles of 1e7 pixels and of 1e-7 leave the picture what it is") {
+    Extreme wall, wide_wall, speck;
+    wall.wall = 10.0;
+    wide_wall.wall = 0.5e7 * 6.0 * 2.0 * std::tan(std::numbers::pi / 8.0) / 48.0;  // 6 away, 45 degrees in 48 rows
+    speck.speck = 1e-8;  // its triangles are 12 around, 3 away: a pixel is 0.05 there
+    check_row({"a wall of two triangles of 1e7 x 1e7 pixels, beside one of 97 x 97", wide_wall, 60}, wall);
+    check_row({"another ball of triangles of 1e-7 pixels", speck, 16}, {});
 }
 
 TEST_CASE("geometry: slivers and pictures of one pixel or one column are light") {
