@@ -56,14 +56,16 @@ struct Extreme {
     std::string size = "[64, 48]";
 };
 
-std::string objects_of(const Extreme& e) {
+/// Under parallel rays the wall casts nothing: their map would begin where the wall does, far before what is seen, and
+/// its bias is a share of that.
+std::string objects_of(const Extreme& e, bool wall_casts) {
     const double s = e.scale;
     const std::string ball = "[[object]]\nmesh = \"sphere\"\ndetail = 12\n", plane = "[[object]]\nmesh = \"plane\"\n";
     std::string text = ball + "scale = " + place(e.stretch * s, s, s) + "\ntranslate = " + place(0.0, s, 0.0) + "\n" +
                        plane + "scale = " + number(e.floor * s) + "\n";
     if (e.wall > 0.0)
-        text += plane + "casts_shadow = false\nrotate = [90, 0, 0]\nscale = " + number(e.wall * s) +
-                "\ntranslate = " + place(0.0, 0.0, -s) + "\n";
+        text += plane + (wall_casts ? "" : "casts_shadow = false\n") +
+                "rotate = [90, 0, 0]\nscale = " + number(e.wall * s) + "\ntranslate = " + place(0.0, 0.0, -s) + "\n";
     if (e.speck > 0.0)
         text += ball + "scale = " + number(e.speck * s) + "\ntranslate = " + place(1.0 * s, 2.0 * s, 2.0 * s) + "\n";
     return text;
@@ -71,12 +73,13 @@ std::string objects_of(const Extreme& e) {
 
 raster::Image draw(const Extreme& e, const Setting& setting) {
     const double s = e.scale, eye_x = e.wall > 0.0 ? 0.0 : s, eye_y = e.wall > 0.0 ? 0.75 * s : 2.5 * s;
-    const std::string text =
-        "[image]\nsize = " + e.size +
-        "\nbackground = [0.2, 0.3, 0.4]\n[camera]\nposition = " + place(eye_x, eye_y, 5.0 * s) +
-        "\ntarget = " + place(0.0, 0.75 * s, 0.0) + "\nnear = " + number(e.near * s) + "\nfar = " + number(e.far * s) +
-        "\n[[light]]\nshadow = true\ntype = \"" + setting.light + "\"\nposition = " + place(2.0 * s, 5.0 * s, 1.5 * s) +
-        "\ndirection = [-2.0, -5.0, -1.5]\n[shadow]\nsize = 128\nmethod = \"" + setting.method + "\"\n" + objects_of(e);
+    const std::string text = "[image]\nsize = " + e.size +
+                             "\nbackground = [0.2, 0.3, 0.4]\n[camera]\nposition = " + place(eye_x, eye_y, 5.0 * s) +
+                             "\ntarget = " + place(0.0, 0.75 * s, 0.0) + "\nnear = " + number(e.near * s) +
+                             "\nfar = " + number(e.far * s) + "\n[[light]]\nshadow = true\ntype = \"" + setting.light +
+                             "\"\nposition = " + place(2.0 * s, 5.0 * s, 1.5 * s) +
+                             "\ndirection = [-2.0, -5.0, -1.5]\n[shadow]\nsize = 128\nmethod = \"" + setting.method +
+                             "\"\n" + objects_of(e, setting.light != "directional");
     return render(scene::read_scene_text(text, "extreme", ""));
 }
 
