@@ -81,6 +81,7 @@ void sort_points(LightGrid& grid) {
 std::vector<GridView> grid_views(const ShadowLight& light) {
     if (light.kind == LightKind::directional) return {view_along(light.direction)};
     std::vector<GridView> views;
+    views.reserve(6);
     for (int face = 0; face < 6; ++face) views.push_back(view_of_face(light.position, face));
     return views;
 }

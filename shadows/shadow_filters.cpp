@@ -119,6 +119,7 @@ std::vector<FilterTap> box_taps(const ShadowMap& map, const MapPoints& points, i
     set_texels(points, lanes_for(1), grid, texels);
     const int place = texels.place[0];
     const int in_face = place - points.face_begin[0] - grid.before_first;
+    const int column = in_face % grid.stride - 1, row = in_face / grid.stride - 1;
     std::vector<FilterTap> taps;
     for (int v = -radius; v <= radius; ++v) {
         for (int u = -radius; u <= radius; ++u) {
@@ -127,8 +128,7 @@ std::vector<FilterTap> box_taps(const ShadowMap& map, const MapPoints& points, i
             Channel lit;
             fill(lanes_for(1), 0.0f, lit);
             add_tap(points, texels, lanes_for(1), map.distance.data() + beside, d_u, d_v, lit.value);
-            taps.push_back({static_cast<float>(in_face % grid.stride - 1 + u) + 0.5f,
-                            static_cast<float>(in_face / grid.stride - 1 + v) + 0.5f,
+            taps.push_back({static_cast<float>(column + u) + 0.5f, static_cast<float>(row + v) + 0.5f,
                             map.distance[static_cast<std::size_t>(place + beside)],
                             distance_beside(points, 0, d_u, d_v), lit.at(0), 1.0f});
         }

@@ -157,8 +157,9 @@ void project(CubeMap& map, int n, const Placement& placement, const Progress& pr
                 const int lanes = raster::lanes_for(count);
                 clear_sums(lanes, *scratch);
                 for (int k = 0; k < n * n; ++k) {
-                    const float within_x = (static_cast<float>(k % n) + 0.5f) / static_cast<float>(n);
-                    const float within_y = (static_cast<float>(k / n) + 0.5f) / static_cast<float>(n);
+                    const int column = k % n, row_within = k / n;
+                    const float within_x = (static_cast<float>(column) + 0.5f) / static_cast<float>(n);
+                    const float within_y = (static_cast<float>(row_within) + 0.5f) / static_cast<float>(n);
                     set_directions(lanes, texels, within_x, within_y, placement, *scratch);
                     look_up(lanes, *scratch);
                     add_colors(lanes, *scratch);

@@ -138,6 +138,7 @@ glm::vec3 for_one_normal(const glm::vec3& n, Sum sum) {
 std::vector<std::vector<TexelLight>> lights_of(const CubeMap& radiance, int source_size) {
     const int level = level_of_size(radiance, source_size);
     std::vector<std::vector<TexelLight>> faces;
+    faces.reserve(kCubeFaces);
     for (int face = 0; face < kCubeFaces; ++face) faces.push_back(lights_of_face(radiance, level, face));
     return faces;
 }

@@ -39,20 +39,22 @@ std::string same_path(const std::string& name, void*) {
     return name;
 }
 
-bool read_buffer(std::vector<unsigned char>* out, std::string* error, const std::string& name, void* file) {
+bool read_buffer(std::vector<unsigned char>* out, std::string*, const std::string& name, void* file) {
+    const GltfFile& gltf = *static_cast<const GltfFile*>(file);
     const std::string path = buffer_path(name, file);
-    const NamedFileLimits& limits = static_cast<const GltfFile*>(file)->limits;
-    if (limits.used) limits.used->push_back(use_file(path));
+    if (gltf.limits.used) gltf.limits.used->push_back(use_file(path));
+    const auto refuse = [&](const std::string& why) {
+        throw UserError(Place{gltf.text.json.file}, "the buffer " + path_in_quotes(name) + " " + why);
+    };
     std::error_code failed;
+    if (!std::filesystem::is_regular_file(path, failed)) refuse("is not a file");
     const std::uintmax_t size = std::filesystem::file_size(path, failed);
-    if (failed || size > kMaxBufferBytes || !std::filesystem::is_regular_file(path, failed)) {
-        *error += "the buffer " + path_in_quotes(name) + " cannot be read, or is larger than 1 GB";
-        return false;
-    }
+    if (failed || size > kMaxBufferBytes) refuse("is larger than 1 GB");
     out->resize(static_cast<std::size_t>(size));
     std::ifstream stream(path, std::ios::binary);
     stream.read(reinterpret_cast<char*>(out->data()), static_cast<std::streamsize>(size));
-    return static_cast<bool>(stream);
+    if (!stream) refuse("cannot be read");
+    return true;
 }
 
 /// "... at line 3, column 5: ..." of the JSON library as a place.

@@ -5,49 +5,68 @@
 #include <cstdint>
 #include <vector>
 
+#include "raster/mesh_checks.hpp"
+
 namespace kreda::scene {
 
 namespace {
 
-/// The vertices of a triangle, the smallest first, and its number.
+/// The points of a triangle, the smallest first, and its number.
 struct TurnedTriangle {
-    std::array<std::uint32_t, 3> vertices;
+    std::array<std::uint32_t, 3> points;
     std::uint32_t triangle;
 };
 
-TurnedTriangle turned(const raster::Mesh& mesh, std::uint32_t triangle) {
-    const std::uint32_t* v = &mesh.indices[3 * std::size_t{triangle}];
-    const std::size_t first = static_cast<std::size_t>(std::min_element(v, v + 3) - v);
-    return {{v[first], v[(first + 1) % 3], v[(first + 2) % 3]}, triangle};
-}
+/// The triangles of a mesh by their points: vertices at bitwise equal positions are one.
+struct PointTriangles {
+    std::vector<std::uint32_t> point_of_vertex;
+    const raster::Mesh& mesh;
 
-/// All triangles in the order of their smallest vertex: counted first, so that it takes no comparisons.
-std::vector<TurnedTriangle> by_smallest_vertex(const raster::Mesh& mesh, std::vector<std::uint32_t>& end) {
-    const std::uint32_t count = mesh.triangle_count();
-    end.assign(mesh.positions.size() + 1, 0);
-    for (std::uint32_t t = 0; t < count; ++t) ++end[std::size_t{turned(mesh, t).vertices[0]} + 1];
-    for (std::size_t v = 1; v < end.size(); ++v) end[v] += end[v - 1];
+    [[nodiscard]] TurnedTriangle at(std::uint32_t triangle) const {
+        const std::uint32_t* v = &mesh.indices[3 * std::size_t{triangle}];
+        const std::uint32_t points[3] = {point_of_vertex[v[0]], point_of_vertex[v[1]], point_of_vertex[v[2]]};
+        const std::size_t first = static_cast<std::size_t>(std::min_element(points, points + 3) - points);
+        return {{points[first], points[(first + 1) % 3], points[(first + 2) % 3]}, triangle};
+    }
+};
+
+/// All triangles in the order of their smallest point: counted first, so that it takes no comparisons.
+std::vector<TurnedTriangle> by_smallest_point(const PointTriangles& triangles, std::vector<std::uint32_t>& end) {
+    const std::uint32_t count = triangles.mesh.triangle_count();
+    end.assign(triangles.point_of_vertex.size() + 1, 0);
+    for (std::uint32_t t = 0; t < count; ++t) ++end[std::size_t{triangles.at(t).points[0]} + 1];
+    for (std::size_t p = 1; p < end.size(); ++p) end[p] += end[p - 1];
     std::vector<TurnedTriangle> sorted(count);
-    for (std::uint32_t t = 0; t < count; ++t) {  // in the end, end[v] is where the triangles of vertex v end
-        const TurnedTriangle triangle = turned(mesh, t);
-        sorted[end[triangle.vertices[0]]++] = triangle;
+    for (std::uint32_t t = 0; t < count; ++t) {  // in the end, end[p] is where the triangles of point p end
+        const TurnedTriangle triangle = triangles.at(t);
+        sorted[end[triangle.points[0]]++] = triangle;
     }
     return sorted;
 }
 
-/// For each triangle, whether one before it has the same vertices.
+/// Where the part behind the one that holds a triangle stands in the list of parts.
+std::size_t behind_part_of(const raster::Mesh& mesh, std::uint32_t triangle) {
+    const auto begins_behind = [](std::uint32_t t, const raster::MeshPart& part) { return t < part.first_triangle; };
+    const auto behind = std::upper_bound(mesh.parts.begin(), mesh.parts.end(), triangle, begins_behind);
+    return static_cast<std::size_t>(behind - mesh.parts.begin());
+}
+
+/// For each triangle, whether one before it in its part has the same points.
 std::vector<bool> repeated_triangles(const raster::Mesh& mesh) {
     std::vector<std::uint32_t> end;
-    std::vector<TurnedTriangle> sorted = by_smallest_vertex(mesh, end);
+    std::vector<TurnedTriangle> sorted = by_smallest_point({raster::weld_by_position(mesh.positions), mesh}, end);
     const auto is_before = [](const TurnedTriangle& a, const TurnedTriangle& b) {
-        return a.vertices != b.vertices ? a.vertices < b.vertices : a.triangle < b.triangle;
+        return a.points != b.points ? a.points < b.points : a.triangle < b.triangle;
     };
     std::vector<bool> is_repeated(sorted.size(), false);
-    for (std::size_t v = 0; v + 1 < end.size(); ++v) {
-        const std::uint32_t from = v == 0 ? 0 : end[v - 1];
-        std::sort(sorted.begin() + from, sorted.begin() + end[v], is_before);
-        for (std::uint32_t i = from + 1; i < end[v]; ++i) {
-            is_repeated[sorted[i].triangle] = sorted[i].vertices == sorted[i - 1].vertices;
+    for (std::size_t p = 0; p + 1 < end.size(); ++p) {
+        const std::uint32_t from = p == 0 ? 0 : end[p - 1];
+        std::sort(sorted.begin() + from, sorted.begin() + end[p], is_before);
+        for (std::uint32_t i = from + 1; i < end[p]; ++i) {
+            const TurnedTriangle &before = sorted[i - 1], &triangle = sorted[i];
+            is_repeated[triangle.triangle] =
+                triangle.points == before.points &&
+                behind_part_of(mesh, before.triangle) == behind_part_of(mesh, triangle.triangle);
         }
     }
     return is_repeated;

@@ -30,10 +30,9 @@ bool is_webp(std::string_view bytes) {
     return bytes.starts_with("RIFF") && bytes.substr(0, kFirstChunk).ends_with("WEBP");
 }
 
-std::string webp_without_alpha(std::string bytes) {
-    const std::string_view file = bytes;
-    std::string result = bytes;
-    for_each_chunk(file, [&](std::string_view name, std::size_t data, std::size_t size) {
+std::string webp_without_alpha(std::string_view bytes) {
+    std::string result(bytes);
+    for_each_chunk(bytes, [&](std::string_view name, std::size_t data, std::size_t size) {
         constexpr int kExtendedHasAlpha = 0x10;  // in the first byte of VP8X
         constexpr int kLosslessHasAlpha = 0x10;  // bit 28 after the signature 0x2f
         if (name == "VP8X" && size >= 1) result[data] = static_cast<char>(result[data] & ~kExtendedHasAlpha);

@@ -1,5 +1,6 @@
 #include "scene/plan/pass_inputs.hpp"
 
+#include <cstdint>
 #include <type_traits>
 
 namespace kreda::scene {
@@ -34,7 +35,7 @@ void add_view(const shadows::LightView& view, InputBytes& inputs) {
 }
 
 void add_caster(const Object& object, InputBytes& inputs) {
-    const raster::Mesh* const mesh = object.mesh.get();
+    const auto mesh = reinterpret_cast<std::uintptr_t>(object.mesh.get());  // which one it is, not what it holds
     inputs.add(mesh, object.world_from_object, object.part_hidden.size());
     for (const bool hidden : object.part_hidden) inputs.add(hidden);
 }

@@ -110,18 +110,25 @@ float distance_to(const Box& box, const glm::vec3& p) {
     return glm::length(outside);
 }
 
-/// Rays from a point: from the nearest caster to the farthest.
-bool fit_around(const shadows::ShadowSettings& settings, const std::vector<const ObjectExtent*>& casters,
-                PlannedShadow& shadow) {
+float farthest_of(const std::vector<glm::vec3>& points, const glm::vec3& from) {
+    float farthest = 0.0f;
+    for (const glm::vec3& p : points) farthest = std::max(farthest, glm::length(p - from));
+    return farthest;
+}
+
+/// Rays from a point: from the nearest caster to the farthest, or to the farthest place that is seen. What is behind
+/// that casts upon nothing seen, and the range of depth, of which the bias is a share, ends there.
+bool fit_around(const shadows::ShadowSettings& settings, const std::vector<ObjectExtent>& extents,
+                const std::vector<const ObjectExtent*>& casters, PlannedShadow& shadow) {
     if (casters.empty()) return false;
-    float nearest = std::numeric_limits<float>::max(), farthest = 0.0f;
+    const glm::vec3 light = shadow.source.position;
+    float nearest = std::numeric_limits<float>::max(), farthest = 0.0f, farthest_seen = 0.0f;
     for (const ObjectExtent* caster : casters) {
-        nearest = std::min(nearest, distance_to(caster->box, shadow.source.position));
-        for (const glm::vec3& p : caster->points) {
-            farthest = std::max(farthest, glm::length(p - shadow.source.position));
-        }
+        nearest = std::min(nearest, distance_to(caster->box, light));
+        farthest = std::max(farthest, farthest_of(caster->points, light));
     }
-    const float far = 1.001f * farthest;
+    for (const ObjectExtent& extent : extents) farthest_seen = std::max(farthest_seen, farthest_of(extent.seen, light));
+    const float far = 1.001f * (farthest_seen > nearest ? std::min(farthest, farthest_seen) : farthest);
     const int margin = shadows::filter_margin(settings);
     const bool one_picture =
         shadow.source.kind == LightKind::spot && shadow.source.outer_cone_deg <= shadows::kWidestSpotDeg;
@@ -181,7 +188,7 @@ ShadowPlan plan_shadows(const Scene& scene, bool only_visible, const std::vector
         std::vector<const ObjectExtent*> casters = collect_casters(shadow.source, extents);
         const bool needed = shadow.source.kind == LightKind::directional
                                 ? fit_directional(scene.shadow, extents, casters, shadow)
-                                : fit_around(scene.shadow, casters, shadow);
+                                : fit_around(scene.shadow, extents, casters, shadow);
         if (!needed) {
             plan.why_not.push_back(name_of_light(light, i) +
                                    " has shadow = true, but nothing can cast onto what is seen");

@@ -1,6 +1,7 @@
-// JPEG files byte by byte: black pictures whose every block takes two bits a component.
+// JPEG files byte by byte: grey pictures whose every block takes two bits a component, one where they are progressive.
 #pragma once
 
+#include <algorithm>
 #include <cstdint>
 #include <string>
 
@@ -8,7 +9,7 @@ namespace kreda::tests {
 
 struct RawJpeg {
     int width = 16, height = 16;  ///< multiples of 8
-    bool is_progressive = false;  ///< its decoder keeps the whole picture; the file then holds the first scan alone
+    bool is_progressive = false;  ///< its decoder keeps the whole picture; the file holds the scan of means alone
     std::string profile = {};     ///< the content of a segment APP2, where colour profiles stand
 };
 
@@ -37,8 +38,9 @@ struct RawJpeg {
     }
     const char last = jpeg.is_progressive ? '\0' : '\x3f';
     file += jpeg_segment(kScan, std::string("\3\1\0\2\0\3\0\0", 8) + last + '\0');
-    const int blocks = jpeg.is_progressive ? 256 : jpeg.width / 8 * (jpeg.height / 8);
-    const std::size_t bits = static_cast<std::size_t>(blocks) * 3 * 2;
+    const int all_blocks = jpeg.width / 8 * (jpeg.height / 8);
+    const int blocks = std::min(all_blocks, 4096);  // a large picture is only promised
+    const std::size_t bits = static_cast<std::size_t>(blocks) * 3 * (jpeg.is_progressive ? 1 : 2);
     std::string data(bits / 8, '\0');
     if (bits % 8 != 0) data += static_cast<char>(0xff >> bits % 8);  // the last byte is filled with ones
     return file + data + "\xff\xd9";

@@ -12,6 +12,7 @@
 #include "scene/error.hpp"
 #include "scene/files/child_process.hpp"
 #include "scene/files/image_file.hpp"
+#include "scene/files/mesh_file.hpp"
 #include "scene/files/read_scene.hpp"
 #include "tests/scene/errors_and_views.hpp"
 #include "tests/scene/raw_images.hpp"
@@ -113,17 +114,21 @@ TEST_CASE("damaged images: a decoder that never ends is ended") {
     CHECK(end.signal == SIGXCPU);
 }
 
-TEST_CASE("damaged images: a header may promise a size; the file must hold it") {
+TEST_CASE("damaged images: a JPEG or TIFF that is cut off is an error: a header may promise, the file must hold") {
     const TempFolder folder;
-    const std::string jpeg = kreda::tests::raw_jpeg({64, 64, false});
-    const std::string whole = folder.write("whole.jpg", jpeg);
-    CHECK(complaint_of(whole) == "no error");
-    // 64 blocks of three components take two bits each: 48 bytes before the end.
-    for (const std::size_t lost : {12u, 30u, 45u}) {
-        const std::string file = folder.write("cut.jpg", jpeg.substr(0, jpeg.size() - lost));
-        CAPTURE(lost);
-        CHECK(is_line_about(complaint_of(file), file));
-        CHECK(has(complaint_of(file), "is damaged"));
+    for (const bool is_progressive : {false, true}) {
+        CAPTURE(is_progressive);
+        const std::string jpeg = kreda::tests::raw_jpeg({64, 64, is_progressive});
+        CHECK(complaint_of(folder.write("whole.jpg", jpeg)) == "no error");
+        // 64 blocks of three components take one bit or two each: 24 or 48 bytes before the mark of the end.
+        const std::size_t data = is_progressive ? 24 : 48;
+        for (std::size_t lost = 1; lost <= data + 2; lost += 3) {
+            const std::string file = folder.write("cut.jpg", jpeg.substr(0, jpeg.size() - lost));
+            CAPTURE(lost);
+            const std::string text = complaint_of(file);
+            CHECK(is_line_about(text, file));
+            CHECK(has(text, "is damaged"));
+        }
     }
     const std::string rows(64 * 64 * 3, '\7');
     const std::string tiff = kreda::tests::raw_tiff({.width = 64, .height = 64}, rows);
@@ -176,6 +181,13 @@ TEST_CASE("damaged images: pipes and devices are no scene files, no meshes, and 
     REQUIRE(mkfifo(fifo.c_str(), 0600) == 0);
     CHECK(has(complaint([&] { (void)kreda::scene::read_scene(fifo); }), "is a pipe or a device"));
     CHECK(has(complaint([&] { (void)kreda::scene::read_scene("/dev/zero"); }), "is a pipe or a device"));
+    for (const std::string name : {"a.obj", "a.mtl", "a.gltf"}) REQUIRE(mkfifo(folder.file(name).c_str(), 0600) == 0);
+    folder.write("b.obj", "mtllib a.mtl\nv 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n");
+    for (const std::string& file :
+         {folder.file("a.obj"), folder.file("b.obj"), folder.file("a.gltf"), std::string("/dev/zero")}) {
+        CAPTURE(file);
+        CHECK(has(complaint([&] { (void)kreda::scene::load_mesh_file(file); }), "is not a regular file"));
+    }
     const std::string text = "[environment]\nfile = \"a.png\"\n";
     const auto read_text = [&] { (void)kreda::scene::read_scene_text(text, "test", folder.path.string()); };
     CHECK(has(complaint(read_text), "is a pipe or a device, not an image file"));

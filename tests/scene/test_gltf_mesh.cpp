@@ -282,3 +282,16 @@ TEST_CASE("gltf: a mesh far from the origin keeps its shape") {
         CHECK(glm::distance(p, wanted) < 1e-6);  // a float so far from 0 would round to 2
     }
 }
+
+TEST_CASE("gltf: of equal triangles one of each primitive is left, whether it has indices or none") {
+    GltfMaker maker;
+    std::vector<float> corners;
+    for (int i = 0; i < 100; ++i) corners.insert(corners.end(), kCorner.begin(), kCorner.end());
+    maker.add(corners, kFloat, 3);
+    maker.add(std::vector<std::uint8_t>{0, 1, 2, 1, 2, 0, 2, 1, 0, 3, 4, 5}, kUnsignedByte, 1);
+    const std::string two_primitives = one_mesh(kPosition0 + "},{" + kPosition0 + ",\"indices\":1");
+    const LoadedText result = load_gltf(maker.gltf(two_primitives));
+    CHECK(result.loaded.mesh.triangle_count() == 3);  // one, and one with its back
+    REQUIRE(result.warnings.size() == 1);
+    CHECK(result.warnings[0] == "a.gltf: 101 triangles have the corners of one before; each is drawn once");
+}

@@ -74,6 +74,15 @@ TEST_CASE("mesh habits: of many warnings of a kind ten are shown, and how many m
     CHECK(has(result.warnings[11], "'on'"));
 }
 
+TEST_CASE("mesh habits: of five thousand odd lines of an MTL ten are shown, and how many more there are") {
+    std::string mtl = "newmtl m\n";
+    for (int i = 0; i < 5000; ++i) mtl += "map_Kd absent.png\n";
+    const LoadedText result = load_text("mtllib a.mtl\n" + kVertices + "usemtl m\nf 1 2 3\n", mtl);
+    REQUIRE(result.warnings.size() == 11);
+    CHECK(result.warnings[9].starts_with("a.mtl:11:1: no such image file"));
+    CHECK(result.warnings[10] == "a.mtl: and 4990 more: image files that are not there");
+}
+
 TEST_CASE("mesh habits: an odd line of an MTL costs one warning, and the rest counts") {
     const std::string obj = "mtllib a.mtl\n" + kVertices + "usemtl m\nf 1 2 3\n";
     for (const OddText& odd :

@@ -5,6 +5,7 @@
 #include <cstdlib>
 #include <fstream>
 #include <iostream>
+#include <numbers>
 #include <sstream>
 #include <string>
 #include <vector>
@@ -46,24 +47,47 @@ std::string place(double x, double y, double z) {
 /// What may be at its edges; the scene is a ball on a floor.
 struct Extreme {
     double scale = 1.0;    ///< of the whole scene
+    double offset = 0.0;   ///< of the whole scene, along each axis
     double near = 1.0;     ///< in scales
     double far = 20.0;     ///< in scales
     double stretch = 1.0;  ///< of the ball's width: a sliver where it is small
     double floor = 4.0;    ///< half the floor's side, in scales: beyond the camera w passes through 0
+    double wall = 0.0;     ///< half the side of a wall behind the ball, and the camera looks straight at it; 0: none
+    double speck = 0.0;    ///< the radius of another ball in the air; 0: none
     std::string size = "[64, 48]";
 };
 
-raster::Image draw(const Extreme& e, const Setting& setting) {
+/// A place of the scene, given in scales.
+std::string place_in(const Extreme& e, double x, double y, double z) {
+    return place(x * e.scale + e.offset, y * e.scale + e.offset, z * e.scale + e.offset);
+}
+
+/// Under parallel rays the wall casts nothing: their map would begin where the wall does, far before what is seen, and
+/// its bias is a share of that.
+std::string objects_of(const Extreme& e, bool wall_casts) {
     const double s = e.scale;
-    const std::string text =
-        "[image]\nsize = " + e.size +
-        "\nbackground = [0.2, 0.3, 0.4]\n[camera]\nposition = " + place(1.0 * s, 2.5 * s, 5.0 * s) +
-        "\ntarget = " + place(0.0, 0.75 * s, 0.0) + "\nnear = " + number(e.near * s) + "\nfar = " + number(e.far * s) +
-        "\n[[light]]\nshadow = true\ntype = \"" + setting.light + "\"\nposition = " + place(2.0 * s, 5.0 * s, 1.5 * s) +
-        "\ndirection = [-2.0, -5.0, -1.5]\n[shadow]\nsize = 128\nmethod = \"" + setting.method +
-        "\"\n[[object]]\nmesh = \"sphere\"\ndetail = 12\nscale = " + place(e.stretch * s, s, s) +
-        "\ntranslate = " + place(0.0, 1.0 * s, 0.0) + "\n[[object]]\nmesh = \"plane\"\nscale = " + number(e.floor * s) +
-        "\n";
+    const std::string ball = "[[object]]\nmesh = \"sphere\"\ndetail = 12\n", plane = "[[object]]\nmesh = \"plane\"\n";
+    std::string text = ball + "scale = " + place(e.stretch * s, s, s) + "\ntranslate = " + place_in(e, 0.0, 1.0, 0.0) +
+                       "\n" + plane + "scale = " + number(e.floor * s) + "\ntranslate = " + place_in(e, 0.0, 0.0, 0.0) +
+                       "\n";
+    if (e.wall > 0.0)
+        text += plane + (wall_casts ? "" : "casts_shadow = false\n") +
+                "rotate = [90, 0, 0]\nscale = " + number(e.wall * s) + "\ntranslate = " + place_in(e, 0.0, 0.0, -1.0) +
+                "\n";
+    if (e.speck > 0.0)
+        text += ball + "scale = " + number(e.speck * s) + "\ntranslate = " + place_in(e, 1.0, 2.0, 2.0) + "\n";
+    return text;
+}
+
+raster::Image draw(const Extreme& e, const Setting& setting) {
+    const double s = e.scale, eye_x = e.wall > 0.0 ? 0.0 : 1.0, eye_y = e.wall > 0.0 ? 0.75 : 2.5;
+    const std::string text = "[image]\nsize = " + e.size +
+                             "\nbackground = [0.2, 0.3, 0.4]\n[camera]\nposition = " + place_in(e, eye_x, eye_y, 5.0) +
+                             "\ntarget = " + place_in(e, 0.0, 0.75, 0.0) + "\nnear = " + number(e.near * s) +
+                             "\nfar = " + number(e.far * s) + "\n[[light]]\nshadow = true\ntype = \"" + setting.light +
+                             "\"\nposition = " + place_in(e, 2.0, 5.0, 1.5) +
+                             "\ndirection = [-2.0, -5.0, -1.5]\n[shadow]\nsize = 128\nmethod = \"" + setting.method +
+                             "\"\n" + objects_of(e, setting.light != "directional");
     return render(scene::read_scene_text(text, "extreme", ""));
 }
 
@@ -135,6 +159,14 @@ TEST_CASE("geometry: scales from 1e-8 to 1e7 give the same picture with every li
     check_row({"everything 1e7 times as large", scaled(1e7), 16}, {});  // no number in a file is beyond 1e9
 }
 
+TEST_CASE("geometry: 1e4, 1e6 and 1e8 away from the origin the picture is the same with every light and shadow") {
+    for (const char* const away : {"1e4", "1e6", "1e8"}) {
+        Extreme moved;
+        moved.offset = std::stod(away);
+        check_row({"everything " + std::string(away) + " away from the origin, along each axis", moved, 16}, {});
+    }
+}
+
 TEST_CASE("geometry: a far plane a thousand million times as far as the near one gives the same picture") {
     Extreme deep;
     deep.near = 1e-3;
@@ -148,6 +180,15 @@ TEST_CASE("geometry: a floor that runs through the camera's plane and beyond loo
     wider.floor = 1e4;
     wide.far = wider.far = 500.0;
     check_row({"a floor of 1e4 through w = 0, beside one of 1e3", wider, 60}, wide);
+}
+
+TEST_CASE("geometry: triangles of 1e7 pixels and of 1e-7 leave the picture what it is") {
+    Extreme wall, wide_wall, speck;
+    wall.wall = 10.0;
+    wide_wall.wall = 0.5e7 * 6.0 * 2.0 * std::tan(std::numbers::pi / 8.0) / 48.0;  // 6 away, 45 degrees in 48 rows
+    speck.speck = 1e-8;  // its triangles are 12 around, 3 away: a pixel is 0.05 there
+    check_row({"a wall of two triangles of 1e7 x 1e7 pixels, beside one of 97 x 97", wide_wall, 60}, wall);
+    check_row({"another ball of triangles of 1e-7 pixels", speck, 16}, {});
 }
 
 TEST_CASE("geometry: slivers and pictures of one pixel or one column are light") {

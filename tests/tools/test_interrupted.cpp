@@ -30,16 +30,17 @@ int kills() {
     return wish ? std::atoi(wish) : 20;
 }
 
-/// Start kreda in a folder, its words lost. most_bytes > 0: it cannot write a larger file.
-pid_t start_kreda(const std::vector<std::string>& args, const std::string& folder, rlim_t most_bytes = 0) {
+/// Start kreda in a folder, its words to a file. most_bytes > 0: it cannot write a larger file.
+pid_t start_kreda(const std::vector<std::string>& args, const std::string& folder, rlim_t most_bytes = 0,
+                  const std::string& words_to = "/dev/null") {
     std::vector<char*> words = {const_cast<char*>(KREDA_PROGRAM)};
     for (const std::string& arg : args) words.push_back(const_cast<char*>(arg.c_str()));
     words.push_back(nullptr);
     const pid_t child = fork();
     if (child != 0) return child;
-    const int nowhere = open("/dev/null", O_WRONLY);
-    dup2(nowhere, STDOUT_FILENO);
-    dup2(nowhere, STDERR_FILENO);
+    const int file = open(words_to.c_str(), O_WRONLY | O_CREAT | O_TRUNC, 0600);
+    dup2(file, STDOUT_FILENO);
+    dup2(file, STDERR_FILENO);
     const rlimit limit{most_bytes, most_bytes};
     if (most_bytes > 0) setrlimit(RLIMIT_FSIZE, &limit);
     if (most_bytes > 0) std::signal(SIGXFSZ, SIG_IGN);
@@ -175,7 +176,16 @@ TEST_CASE("interrupted: a disk that is full is one line and leaves the old pictu
     REQUIRE(run_kreda({"render", "a.toml", "-o", "a.png"}, place).exit_code == 0);
     const std::string old = bytes_of(folder.file("a.png"));
     REQUIRE(old.size() > 1000);
-    CHECK(exit_code_of(start_kreda({"render", "a.toml", "-o", "a.png"}, place, 500)) == 2);
+    const std::string words = folder.file(".words");
+    CHECK(exit_code_of(start_kreda({"render", "a.toml", "-o", "a.png", "--no-cache"}, place, 500, words)) == 2);
+    CHECK(bytes_of(words) == "a.png: cannot be written: is the disk full, or the folder protected?\n");
+    CHECK(bytes_of(folder.file("a.png")) == old);
+    for (const Command& command : usual_commands()) {
+        CAPTURE(command.args[0]);
+        CHECK(exit_code_of(start_kreda(command.args, place, 500, words)) == 2);
+        CHECK(bytes_of(words).find("cannot be written: is the disk full") != std::string::npos);
+        check_files(place);
+    }
     CHECK(bytes_of(folder.file("a.png")) == old);
 }
 
