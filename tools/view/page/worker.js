@@ -41,6 +41,7 @@ const work = {
   },
   open: (path, overrides) => ask('open', path, JSON.stringify(overrides)),
   reads: () => ask('reads'),
+  threads: () => ask('threads'),
   text: (overrides) => ask('text', JSON.stringify(overrides)),
   explain: (x, y) => ask('explain', x, y),
   hash: () => ask('hash'),
