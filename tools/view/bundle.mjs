@@ -24,7 +24,7 @@ const slim = (text) => text.replace(/^ *\/\*\*.*?\*\/\n/gms, '').replace(/^ *\/\
 
 const folder = join(dirname(fileURLToPath(import.meta.url)), 'page');
 const read = (name) => readFileSync(join(folder, name), 'utf8');
-const modules = ['camera.js', 'controls.js', 'lzma.js', 'engine.js', 'explain.js', 'files.js', 'input.js', 'main.js'];
+const modules = ['camera.js', 'controls.js', 'lzma.js', 'engine.js', 'explain.js', 'dropped.js', 'files.js', 'input.js', 'main.js'];
 
 /** Each module in a scope of its own, so that helpers may have the same names. */
 function scoped(name) {

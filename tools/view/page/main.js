@@ -3,6 +3,7 @@ import { CameraHand } from './camera.js';
 import { makeControls } from './controls.js';
 import { Engine, unpack, unpackModule } from './engine.js';
 import { drawCross, drawVectors } from './explain.js';
+import { chosenFiles, droppedFiles } from './dropped.js';
 import { bytesOf, meaningOf, save } from './files.js';
 import { listen } from './input.js';
 
@@ -228,9 +229,9 @@ function key(name, isCross) {
   return true;
 }
 
-async function takeFiles(list) {
+async function takeFiles(coming) {
   try {
-    const files = await bytesOf(list);
+    const files = await bytesOf(await coming);
     const meaning = meaningOf(Object.keys(files), page.scene.tables.material?.[0]);
     await engine.add(files);
     if (meaning.open) return openNew(meaning.open);
@@ -253,11 +254,11 @@ function wire() {
   $('undo').onclick = () => openNew(page.path);
   $('save-scene').onclick = saveScene;
   $('save-png').onclick = () => canvas.toBlob((png) => save(png, `${(page.path || 'built_in').replace(/.*\/|\.\w+$/g, '')}.png`));
-  $('files').onchange = (event) => takeFiles(event.target.files);
+  $('files').onchange = (event) => takeFiles(chosenFiles(event.target.files));
   $('close').onclick = () => { $('told').hidden = true; drawVectors($('overlay'), [], 1, 1); canvas.focus(); };
   document.addEventListener('change', ({ target }) => { if (target.tagName === 'SELECT' && target.id !== 'size') page.list = target; });
   document.addEventListener('dragover', (event) => event.preventDefault());
-  document.addEventListener('drop', (event) => { event.preventDefault(); takeFiles(event.dataTransfer.files); });
+  document.addEventListener('drop', (event) => { event.preventDefault(); takeFiles(droppedFiles(event.dataTransfer)); });
   document.addEventListener('pointerlockchange', () => {
     if (!document.pointerLockElement) { hand.flies = false; $('fly').ariaPressed = false; }
   });
