@@ -1,7 +1,8 @@
 // The page: a scene in the module, its picture on the canvas, controls beside it.
 import { CameraHand } from './camera.js';
 import { makeControls } from './controls.js';
-import { Engine, unpack, unpackModule } from './engine.js';
+import { Engine } from './engine.js';
+import { unpack } from './unpack.js';
 import { drawCross, drawVectors } from './explain.js';
 import { chosenFiles, droppedFiles } from './dropped.js';
 import { bytesOf, meaningOf, save } from './files.js';
@@ -293,7 +294,7 @@ async function givenScene() {
 }
 
 await new Promise((resolve) => setTimeout(resolve)); // what the page holds so far is seen before it is busy
-const engine = new Engine(source('worker'), source('glue'), await unpackModule(source('wasm')), afterCrash);
+const engine = new Engine(source('worker'), source('wasm'), afterCrash);
 globalThis.kreda = { engine, page, hand }; // for whoever looks with the browser's tools
 const step = listen(canvas, hand, { changed: touched, clicked, key });
 wire();
