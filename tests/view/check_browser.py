@@ -320,7 +320,7 @@ def check_site(browser, folder, page, film):
     module = live_page.parent / "module.js"
     module.rename(folder / "module.js")
     browser.open(live_page.as_uri())
-    assert browser.wait("document.getElementById('message')?.textContent"), "without its module the page says nothing"
+    assert browser.wait("document.getElementById('message')?.textContent.includes('module of this page is missing')"), f"without its module the page says: {message(browser)}"
     assert browser.wait("document.getElementById('poster')?.naturalWidth > 0", 10), "without its module the figure is blank"
     (folder / "module.js").rename(module)
     browser.open(live_page.as_uri() + "?again")

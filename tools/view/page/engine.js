@@ -25,7 +25,12 @@ export class Engine {
 
   async start() {
     this.waiting = new Map();
-    if (!this.several) this.module ??= await unpackModule(this.packed);
+    try {
+      if (!this.several) this.module ??= await unpackModule(this.packed);
+    } catch (error) {
+      this.failed = error.message;
+      throw error;
+    }
     const address = URL.createObjectURL(new Blob([this.source], { type: 'text/javascript' }));
     this.worker = new Worker(address);
     this.worker.onmessage = ({ data }) => this.hear(data);
@@ -38,6 +43,7 @@ export class Engine {
 
   /** Ask the worker; what it answers, or throws an Error with the line that kreda would print. */
   call(name, ...values) {
+    if (this.failed) return Promise.reject(new Error(this.failed));
     const id = (this.last += 1);
     this.worker.postMessage({ id, name, values });
     return new Promise((resolve, reject) => this.waiting.set(id, { resolve, reject }));
