@@ -115,7 +115,7 @@ add_custom_target(view_page ALL DEPENDS ${view_page})
 # Assignments in the browser: what grades them, without the box; tools/view/edit compiles and runs the student's file.
 file(GLOB grade_sources ${PROJECT_SOURCE_DIR}/tools/grade/assignment/*.cpp)
 list(FILTER grade_sources INCLUDE REGEX
-  "/(a[0-9]_[a-z_]+|assignment|light_columns|rubric|scene_case|scene_record|score|stage_check|stage_table|table_reader)\\.cpp$")
+  "/(a[0-9]_[a-z_]+|argument_text|assignment|light_columns|rubric|scene_case|scene_record|score|stage_check|stage_table|table_reader)\\.cpp$")
 set(tools ${PROJECT_SOURCE_DIR}/tools)
 add_library(grade_assignments OBJECT EXCLUDE_FROM_ALL ${grade_sources})
 target_link_libraries(grade_assignments PUBLIC kreda_scene)
