@@ -1,4 +1,4 @@
-# cmake -DTASK=build|hashes|some_files|all_files|browser|firefox|edit|threads -DSOURCE=... -DPROGRAM=hash_scene_files -DKREDA=... -DFOLDER=...
+# cmake -DTASK=build|pack|hashes|some_files|all_files|browser|firefox|edit|threads -DSOURCE=... -DPROGRAM=hash_scene_files -DKREDA=... -DFOLDER=...
 #   -P check.cmake
 foreach(tool IN ITEMS em++ node)
   find_program(path_of_${tool} ${tool})
@@ -27,6 +27,9 @@ include(${CMAKE_CURRENT_LIST_DIR}/../same_lines.cmake)
 if(TASK STREQUAL "build")
   run(log ${CMAKE_COMMAND} --preset web)
   run(log ${CMAKE_COMMAND} --build --preset web --target view_page hash_scenes)
+elseif(TASK STREQUAL "pack")
+  run(log ${path_of_node} ${CMAKE_CURRENT_LIST_DIR}/check_pack.mjs ${web}/bin/packer.wasm ${web}/bin/unpacker.wasm ${web}/bin/kreda_web.wasm)
+  message("${log}")
 elseif(TASK STREQUAL "hashes")
   file(READ ${SOURCE}/tests/variants/hashes.txt kept)
   run(drawn ${path_of_node} ${web}/bin/hash_scenes.js 1)

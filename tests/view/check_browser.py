@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
 """Opens pages of `kreda view` in headless Chromium: the film's bits are the program's, keys and controls change the picture,
 R and "Undo all" bring it back to the bit, fingers turn and come nearer, a pixel is explained, a broken file is one line, crashes are
-survived. A change reads no file again, a dropped .hdr takes the place of a named sky, a .glb is read, a hidden page draws nothing and forgets nothing,
+survived. A change reads no file again, a dropped .hdr takes the place of a named sky, a .glb is read, and a .gltf with its files as they are, in a folder or a .zip, a hidden page draws nothing and forgets nothing,
 a window of another size is still met by clicks, a lesson's page loads its figure when it is seen, and the figure is its picture until the module has drawn.
 Usage: check_browser.py CHROMIUM KREDA HASH_SCENE_FILES FOLDER   (in the folder of the sources)"""
 import base64
@@ -11,6 +11,8 @@ import shutil
 import struct
 import subprocess
 import sys
+import zipfile
+import zlib
 from pathlib import Path
 
 from browser import Browser
@@ -166,6 +168,57 @@ def check_gltf(browser, folder):
     print("glTF: a .glb has the program's bits, alone and in a scene; a broken one is one line")
 
 
+def png_of_two_colours():
+    """Two texels side by side, 8-bit RGB."""
+    def chunk(kind, data):
+        return struct.pack(">I", len(data)) + kind + data + struct.pack(">I", zlib.crc32(kind + data))
+    head = struct.pack(">IIBBBBB", 2, 1, 8, 2, 0, 0, 0)
+    return b"\x89PNG\r\n\x1a\n" + chunk(b"IHDR", head) + chunk(b"IDAT", zlib.compress(bytes([0, 255, 40, 30, 200, 60, 250]))) + chunk(b"IEND", b"")
+
+
+def gltf_of_three_files():
+    """{path: bytes} as programs write it: JSON that names a buffer beside it and a texture in a folder below."""
+    corners = struct.pack("<9f", -1, -1, 0, 1, -1, 0, 0, 1, 0) + struct.pack("<6f", 0, 0, 1, 0, 0.5, 1)
+    told = {"asset": {"version": "2.0"}, "scene": 0, "scenes": [{"nodes": [0]}], "nodes": [{"mesh": 0}],
+            "meshes": [{"primitives": [{"attributes": {"POSITION": 0, "TEXCOORD_0": 1}, "material": 0}]}],
+            "materials": [{"pbrMetallicRoughness": {"baseColorTexture": {"index": 0}, "metallicFactor": 0}}],
+            "textures": [{"source": 0}], "images": [{"uri": "textures/two%20colours.png"}],
+            "accessors": [{"bufferView": 0, "componentType": 5126, "count": 3, "type": "VEC3", "min": [-1, -1, 0], "max": [1, 1, 0]},
+                          {"bufferView": 1, "componentType": 5126, "count": 3, "type": "VEC2"}],
+            "bufferViews": [{"buffer": 0, "byteLength": 36}, {"buffer": 0, "byteOffset": 36, "byteLength": 24}],
+            "buffers": [{"byteLength": len(corners), "uri": "scene.bin"}]}
+    return {"scene.gltf": json.dumps(told).encode(), "scene.bin": corners, "textures/two colours.png": png_of_two_colours(),
+            "shown.toml": MESH_SCENE.replace('"a.obj"\nmaterial = "red"', '"scene.gltf"').encode()}
+
+
+def drop_paths(browser, *paths):
+    """As the system's file manager does it."""
+    data = {"items": [], "files": [str(path) for path in paths], "dragOperationsMask": 1}
+    for kind in ("dragEnter", "dragOver", "drop"):
+        browser.ask("Input.dispatchDragEvent", browser.session, type=kind, x=100, y=100, data=data)
+
+
+def check_many_files(browser, folder):
+    """A .gltf of several files has the program's bits as files side by side, as a folder and as a .zip; half an archive is one line."""
+    model = folder / "model"
+    files = gltf_of_three_files()
+    with zipfile.ZipFile(folder / "packed.zip", "w", zipfile.ZIP_DEFLATED) as archive:
+        for path, data in files.items():
+            (model / path).parent.mkdir(parents=True, exist_ok=True)
+            (model / path).write_bytes(data)
+            archive.writestr(f"packed/{path}", data, zipfile.ZIP_STORED if path.endswith(".png") else None)
+    expected = run(HASHES, str(model / "shown.toml")).stdout.split()[0]
+    for told, dropped, opened in (("a folder", [model], "model/shown.toml"), ("a .zip", [folder / "packed.zip"], "packed/shown.toml"),
+                                  ("files", [model / path for path in files], "shown.toml")):
+        drop_paths(browser, *dropped)
+        assert browser.wait(f"kreda.page.path === '{opened}' && kreda.page.scene"), f"{told}: {message(browser)}"
+        assert browser.wait(f"{AT_REST}.then(h => h === '{expected}')", 20), f"{told}: {browser.value(AT_REST)}, in the program {expected}; {message(browser)}"
+    (folder / "half.zip").write_bytes((folder / "packed.zip").read_bytes()[:400])
+    drop_paths(browser, folder / "half.zip")
+    assert browser.wait("document.getElementById('message').textContent.startsWith('half.zip: cannot be unpacked')"), message(browser)
+    print("glTF of several files: side by side, as a folder and as a .zip, with the program's bits")
+
+
 def press(browser, name, code, text=""):
     """A key as the browser has it from the keyboard."""
     at = {"key": text or name, "code": name, "windowsVirtualKeyCode": code}
@@ -267,7 +320,7 @@ def check_site(browser, folder, page, film):
     module = live_page.parent / "module.js"
     module.rename(folder / "module.js")
     browser.open(live_page.as_uri())
-    assert browser.wait("document.getElementById('message')?.textContent"), "without its module the page says nothing"
+    assert browser.wait("document.getElementById('message')?.textContent.includes('module of this page is missing')"), f"without its module the page says: {message(browser)}"
     assert browser.wait("document.getElementById('poster')?.naturalWidth > 0", 10), "without its module the figure is blank"
     (folder / "module.js").rename(module)
     browser.open(live_page.as_uri() + "?again")
@@ -317,6 +370,7 @@ def main():
         check_sizes(browser)
         check_files(browser)
         check_gltf(browser, folder)
+        check_many_files(browser, folder)
         check_hidden(browser)
         check_site(browser, folder, folder / "25_exponents.html", films[-1])
         check_lesson(browser, folder, folder / "25_exponents.html")

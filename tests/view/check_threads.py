@@ -32,10 +32,13 @@ def check(browser, address, scene, isolated):
     assert threads == (cores if isolated else 1), f"{address}: {threads} threads; the browser has {cores} cores"
     said = browser.value("document.getElementById('numbers').textContent")
     assert said.endswith(f", {threads} threads") == (threads > 1), said
+    browser.value("kreda.engine.call('threads')")
     ms = browser.value("""(async () => { const times = [];
 for (let i = 0; i < 20; i += 1) times.push((await kreda.engine.call('draw', kreda.hand.pose(), 640, 360, 1, '')).ms);
 return times.sort((a, b) => a - b)[10]; })()""")
-    print(f"{scene}: {film}, {threads} threads, {ms:.1f} ms at 640 x 360")
+    drew = browser.value("kreda.engine.call('threads').then((answer) => answer.threads)")
+    assert drew == threads, f"{address}: {drew} of {threads} threads took tiles of twenty pictures"
+    print(f"{scene}: {film}, {drew} of {threads} threads took tiles, {ms:.1f} ms at 640 x 360")
 
 
 def main():

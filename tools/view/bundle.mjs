@@ -1,22 +1,24 @@
-// node bundle.mjs MODULE.js MODULE.wasm PAGE.html: the page with everything in it but a scene. The modules of the page
+// node bundle.mjs MODULE.js MODULE.wasm PACKER.wasm UNPACKER.wasm PAGE.html: the page with everything in it but a scene. The modules of the page
 // become one: lines that import are left out, and so is the word export; their names are unlike.
-import { spawnSync } from 'node:child_process';
 import { readFileSync, writeFileSync } from 'node:fs';
 import { dirname, join } from 'node:path';
 import { fileURLToPath } from 'node:url';
 import { gzipSync } from 'node:zlib';
 
-/** For the module: a fifth smaller than gzip. emcc needs Python, whose library has LZMA where it was built with it. */
-const LZMA = `import lzma, struct, sys
-bytes = open(sys.argv[1], 'rb').read()
-best = {'id': lzma.FILTER_LZMA1, 'preset': 9 | lzma.PRESET_EXTREME, 'dict_size': 1 << 22, 'lc': 3, 'lp': 0, 'pb': 0}
-packed = lzma.compress(bytes, format=lzma.FORMAT_ALONE, filters=[best])
-sys.stdout.buffer.write(packed[:5] + struct.pack('<Q', len(bytes)) + packed[13:])`;
+/** A number in LEB128. */
+const numberBytes = (n) => (n < 128 ? [n] : [n & 127 | 128, ...numberBytes(n >>> 7)]);
 
-function packed(path) {
-  const done = spawnSync('python3', ['-c', LZMA, path], { maxBuffer: 1 << 26 });
-  if (done.status === 0) return `lzma ${done.stdout.toString('base64')}`;
-  return gzipSync(readFileSync(path), { level: 9 }).toString('base64');
+/** "COUNT SCRIPT UNPACKER PACKED": the bytes of module and script, those of the script, what unpacks both (gzip, base 64), and both (base 64). */
+async function packed(wasmPath, gluePath, packerPath, unpackerPath) {
+  const script = readFileSync(gluePath);
+  const section = Buffer.from([0, ...numberBytes(script.length + 1), 0]); // of the module, for others' use, without a name
+  const plain = Buffer.concat([readFileSync(wasmPath), section, script]);
+  const { memory, _initialize, plain_bytes, most_bytes, packed_bytes, pack } = (await WebAssembly.instantiate(readFileSync(packerPath))).instance.exports;
+  if (plain.length > most_bytes()) throw new Error(`${wasmPath} has more bytes than tools/view/pack/prediction.hpp takes`);
+  _initialize();
+  new Uint8Array(memory.buffer).set(plain, plain_bytes());
+  const bytes = Buffer.from(memory.buffer, packed_bytes(), pack(plain.length));
+  return [plain.length, script.length, gzipSync(readFileSync(unpackerPath), { level: 9 }).toString('base64'), bytes.toString('base64')].join(' ');
 }
 
 /** Without comments that fill their lines, and without what lines begin with. */
@@ -24,7 +26,7 @@ const slim = (text) => text.replace(/^ *\/\*\*.*?\*\/\n/gms, '').replace(/^ *\/\
 
 const folder = join(dirname(fileURLToPath(import.meta.url)), 'page');
 const read = (name) => readFileSync(join(folder, name), 'utf8');
-const modules = ['camera.js', 'controls.js', 'lzma.js', 'engine.js', 'explain.js', 'files.js', 'input.js', 'main.js'];
+const modules = ['camera.js', 'controls.js', 'unpack.js', 'engine.js', 'explain.js', 'dropped.js', 'files.js', 'input.js', 'main.js'];
 
 /** Each module in a scope of its own, so that helpers may have the same names. */
 function scoped(name) {
@@ -35,11 +37,10 @@ function scoped(name) {
   return `const { ${shown.join(', ')} } = (() => {\n${body}\nreturn { ${shown.join(', ')} };\n})();`;
 }
 
-const [, , gluePath, wasmPath, pagePath] = process.argv;
+const [, , gluePath, wasmPath, packerPath, unpackerPath, pagePath] = process.argv;
 const parts = {
   '/*STYLE*/': read('style.css'),
-  '/*WASM*/': packed(wasmPath),
-  '/*GLUE*/': readFileSync(gluePath, 'utf8'),
+  '/*WASM*/': await packed(wasmPath, gluePath, packerPath, unpackerPath),
   '/*WORKER*/': slim(read('worker.js')),
   '/*MAIN*/': slim(modules.map(scoped).join('\n')),
 };

@@ -7,6 +7,9 @@
 
 #include "tools/keys_json.hpp"
 #include "tools/view/viewer.hpp"
+#ifdef _OPENMP
+#include "tools/view/openmp/omp.h"
+#endif
 
 #define KREDA_WEB extern "C" __attribute__((used, visibility("default")))
 
@@ -57,6 +60,15 @@ KREDA_WEB const char* kreda_open(const char* path, const char* overrides) {
 /// How often a file was read and decoded so far.
 KREDA_WEB const char* kreda_reads() {
     return answer([] { return Json{{"reads", viewer().files.reads}}; });
+}
+
+/// How many threads took a part of a picture since this was asked.
+KREDA_WEB const char* kreda_threads() {
+#ifdef _OPENMP
+    return answer([] { return Json{{"threads", kreda_threads_at_work()}}; });
+#else
+    return answer([] { return Json{{"threads", 1}}; });
+#endif
 }
 
 /// [x, y, z of the position, of the target, of up], in the file's world.

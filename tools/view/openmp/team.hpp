@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <array>
+#include <atomic>
 #include <condition_variable>
 #include <cstdint>
 #include <mutex>
@@ -137,6 +138,9 @@ inline Pool& pool() {
     return *threads;
 }
 
+/// A bit for each thread that fetched a piece of a loop since somebody looked; threads from 63 on share the last.
+inline std::atomic<std::uint64_t> at_work{0};
+
 inline SharedLoop& loop_of(const Place& mine) {
     return mine.team->loops[(mine.loops_begun - 1) % kLoopsUnderWay];
 }
@@ -162,6 +166,7 @@ inline bool fetch_piece(std::int64_t& from, std::int64_t& to) {
         from = loop.next;
         to = std::min(loop.next + place.chunk, place.count) - 1;
         loop.next = to + 1;
+        at_work |= std::uint64_t(1) << std::min(place.number, 63);
         return true;
     }
     if (++loop.finished == team.size) {

@@ -51,6 +51,10 @@ void omp_set_num_threads(int threads) {
     wanted_threads = std::max(threads, 1);
 }
 
+int kreda_threads_at_work() {
+    return __builtin_popcountll(at_work.exchange(0));
+}
+
 void __kmpc_fork_call(void*, std::int32_t count, Body body, ...) {
     std::vector<void*> arguments(static_cast<std::size_t>(count));
     va_list list;

@@ -1,5 +1,5 @@
 // The module in its worker: calls wait their turn; after a crash a new worker takes over with the same files.
-import { unpackLzma } from './lzma.js';
+import { unpackModule } from './unpack.js';
 
 /**
  * The address of the module that uses all cores, where the page says that one lies beside it (data-threads) and its
@@ -11,11 +11,10 @@ function moduleWithThreads() {
 }
 
 export class Engine {
-  /** `source`: of the worker, a string. `told`: hears one line when something went wrong. */
-  constructor(source, glue, wasm, told) {
+  /** `source`: of the worker, a string; `packed`: the module for one thread. `told`: hears one line when something went wrong. */
+  constructor(source, packed, told) {
     this.source = source;
-    this.glue = glue;
-    this.wasm = wasm;
+    this.packed = packed;
     this.told = told;
     this.several = moduleWithThreads();
     this.threads = 1;
@@ -26,11 +25,17 @@ export class Engine {
 
   async start() {
     this.waiting = new Map();
+    try {
+      if (!this.several) this.module ??= await unpackModule(this.packed);
+    } catch (error) {
+      this.failed = error.message;
+      throw error;
+    }
     const address = URL.createObjectURL(new Blob([this.source], { type: 'text/javascript' }));
     this.worker = new Worker(address);
     this.worker.onmessage = ({ data }) => this.hear(data);
     this.worker.onerror = (event) => this.crashed(event.message);
-    const { keys, threads } = await this.call('start', this.glue, this.wasm, this.several);
+    const { keys, threads } = await this.call('start', this.module, this.several);
     this.threads = threads;
     await this.call('write', this.files, this.folder);
     return keys;
@@ -38,6 +43,7 @@ export class Engine {
 
   /** Ask the worker; what it answers, or throws an Error with the line that kreda would print. */
   call(name, ...values) {
+    if (this.failed) return Promise.reject(new Error(this.failed));
     const id = (this.last += 1);
     this.worker.postMessage({ id, name, values });
     return new Promise((resolve, reject) => this.waiting.set(id, { resolve, reject }));
@@ -65,19 +71,4 @@ export class Engine {
     this.folder = folder;
     await this.call('write', files, folder);
   }
-}
-
-const bytesOf = (base64) => Uint8Array.from(atob(base64), (c) => c.charCodeAt(0));
-
-/** The module as the page holds it: "lzma" and base 64, or base 64 of what gzip made. */
-export async function unpackModule(text) {
-  return text.startsWith('lzma ') ? unpackLzma(bytesOf(text.slice(5))) : unpack(text);
-}
-
-/** Bytes from base 64, unpacked where they were packed with gzip. */
-export async function unpack(base64) {
-  const bytes = bytesOf(base64);
-  if (bytes[0] !== 0x1f || bytes[1] !== 0x8b) return bytes;
-  const stream = new Blob([bytes]).stream().pipeThrough(new DecompressionStream('gzip'));
-  return new Uint8Array(await new Response(stream).arrayBuffer());
 }

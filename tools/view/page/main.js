@@ -1,8 +1,10 @@
 // The page: a scene in the module, its picture on the canvas, controls beside it.
 import { CameraHand } from './camera.js';
 import { makeControls } from './controls.js';
-import { Engine, unpack, unpackModule } from './engine.js';
+import { Engine } from './engine.js';
+import { unpack } from './unpack.js';
 import { drawCross, drawVectors } from './explain.js';
+import { chosenFiles, droppedFiles } from './dropped.js';
 import { bytesOf, meaningOf, save } from './files.js';
 import { listen } from './input.js';
 
@@ -228,9 +230,9 @@ function key(name, isCross) {
   return true;
 }
 
-async function takeFiles(list) {
+async function takeFiles(coming) {
   try {
-    const files = await bytesOf(list);
+    const files = await bytesOf(await coming);
     const meaning = meaningOf(Object.keys(files), page.scene.tables.material?.[0]);
     await engine.add(files);
     if (meaning.open) return openNew(meaning.open);
@@ -253,11 +255,11 @@ function wire() {
   $('undo').onclick = () => openNew(page.path);
   $('save-scene').onclick = saveScene;
   $('save-png').onclick = () => canvas.toBlob((png) => save(png, `${(page.path || 'built_in').replace(/.*\/|\.\w+$/g, '')}.png`));
-  $('files').onchange = (event) => takeFiles(event.target.files);
+  $('files').onchange = (event) => takeFiles(chosenFiles(event.target.files));
   $('close').onclick = () => { $('told').hidden = true; drawVectors($('overlay'), [], 1, 1); canvas.focus(); };
   document.addEventListener('change', ({ target }) => { if (target.tagName === 'SELECT' && target.id !== 'size') page.list = target; });
   document.addEventListener('dragover', (event) => event.preventDefault());
-  document.addEventListener('drop', (event) => { event.preventDefault(); takeFiles(event.dataTransfer.files); });
+  document.addEventListener('drop', (event) => { event.preventDefault(); takeFiles(droppedFiles(event.dataTransfer)); });
   document.addEventListener('pointerlockchange', () => {
     if (!document.pointerLockElement) { hand.flies = false; $('fly').ariaPressed = false; }
   });
@@ -292,7 +294,7 @@ async function givenScene() {
 }
 
 await new Promise((resolve) => setTimeout(resolve)); // what the page holds so far is seen before it is busy
-const engine = new Engine(source('worker'), source('glue'), await unpackModule(source('wasm')), afterCrash);
+const engine = new Engine(source('worker'), source('wasm'), afterCrash);
 globalThis.kreda = { engine, page, hand }; // for whoever looks with the browser's tools
 const step = listen(canvas, hand, { changed: touched, clicked, key });
 wire();

@@ -22,7 +22,7 @@ function ask(name, ...values) {
 
 const work = {
   /** `threads`: the address of the folder with the module that uses all cores; empty: the one that the page holds. */
-  async start(glue, wasmBinary, threads) {
+  async start(module, threads) {
     const quiet = { print: () => {}, printErr: () => {} };
     if (threads) {
       const mainScriptUrlOrBlob = `${threads}kreda_web.js`;
@@ -30,8 +30,8 @@ const work = {
       const several = { threads: navigator.hardwareConcurrency, mainScriptUrlOrBlob, locateFile: (name) => threads + name };
       kreda = await self.makeKreda({ ...quiet, ...several });
     } else {
-      if (glue) (0, eval)(`${glue};self.makeKreda = makeKreda;`);
-      kreda = await self.makeKreda({ ...quiet, wasmBinary });
+      (0, eval)(`${module.glue};self.makeKreda = makeKreda;`);
+      kreda = await self.makeKreda({ ...quiet, wasmBinary: module.wasm });
     }
     return { keys: ask('keys'), threads: threads ? navigator.hardwareConcurrency : 1 };
   },
@@ -41,6 +41,7 @@ const work = {
   },
   open: (path, overrides) => ask('open', path, JSON.stringify(overrides)),
   reads: () => ask('reads'),
+  threads: () => ask('threads'),
   text: (overrides) => ask('text', JSON.stringify(overrides)),
   explain: (x, y) => ask('explain', x, y),
   hash: () => ask('hash'),
