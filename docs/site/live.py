@@ -22,12 +22,13 @@ def controls(scene):
 MODULE = re.compile(r'(<script type="text/plain" id="wasm">)(.*?)(</script>)', re.S)
 
 
-def share_module(page):
-    """Take the module out of a page: live/module.js, which all of them load. It hands over a text, for a page from a disk may load
-    scripts and nothing else."""
+def share_module(root, page):
+    """Take the module out of a page: live/module.js, which all of them load, in the form that takes more bytes and starts at once.
+    It hands over a text, for a page from a disk may load scripts and nothing else."""
     text = page.read_text(encoding="utf-8")
-    found = MODULE.search(text)
-    (page.parent / "module.js").write_text(f'document.getElementById("wasm").textContent = "{found.group(2)}";\n', encoding="utf-8")
+    quick = root / "build/web/share/kreda/view_module.txt"
+    module = quick.read_text(encoding="ascii") if quick.exists() else MODULE.search(text).group(2)
+    (page.parent / "module.js").write_text(f'document.getElementById("wasm").textContent = "{module}";\n', encoding="utf-8")
     text = MODULE.sub(r'\1\3\n<script src="module.js"></script>', text)
     page.write_text(text.replace("script-src 'unsafe-inline'", "script-src 'self' file: 'unsafe-inline'", 1), encoding="utf-8")
 
@@ -75,7 +76,7 @@ def write(root, folder, kreda):
         print("note: ./course view builds what live figures need; this site has pictures alone")
     has_threads = copy_threads(root, folder / "live")
     for page in filter(None, made.values()):
-        share_module(folder / page)
+        share_module(root, folder / page)
         if has_threads:
             allow_threads(folder / page)
         put_poster(folder / page)

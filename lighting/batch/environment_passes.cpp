@@ -183,12 +183,13 @@ void set_split_sum(int count, const CookTorranceSetup& material, const Environme
 
 }  // namespace
 
-void look_at_environment(int count, const EnvironmentSetup& setup, const raster::Channel3& direction,
-                         EnvironmentChannels& channels) {
+const raster::Channel3& look_at_environment(int count, const EnvironmentSetup& setup, const raster::Channel3& direction,
+                                            EnvironmentChannels& channels) {
     const int lanes = lanes_for(count);
     const raster::Channel3& on_map = turned_to_maps(lanes, setup, direction, channels);
     sample_level(setup.maps->prefiltered, 0, lanes, on_map, channels.scratch, channels.prefiltered);
     apply_intensity(lanes, setup.intensity, channels.prefiltered);
+    return on_map;
 }
 
 void add_environment(const raster::Fragments& fragments, const MaterialSetup& material, const EnvironmentSetup& setup,

@@ -25,8 +25,9 @@ struct MaterialSetup;
 void add_environment(const raster::Fragments& fragments, const MaterialSetup& material, const EnvironmentSetup& setup,
                      LeaveChannels leave, LightingChannels& channels);
 
-/// Radiance from these directions (world space, any length) into channels.prefiltered.
-void look_at_environment(int count, const EnvironmentSetup& setup, const raster::Channel3& direction,
-                         EnvironmentChannels& channels);
+/// Radiance from these directions (world space, any length) into channels.prefiltered. Returns them as the maps know
+/// them: themselves, or channels.map_direction.
+const raster::Channel3& look_at_environment(int count, const EnvironmentSetup& setup, const raster::Channel3& direction,
+                                            EnvironmentChannels& channels);
 
 }  // namespace kreda::lighting

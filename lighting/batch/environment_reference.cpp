@@ -72,11 +72,11 @@ KREDA_BATCH_LOOP void choose_light_direction(int lanes, const EnvironmentSetup& 
     for (int i = 0; i < lanes; ++i) set_direction_to_light(c, i, l);
 }
 
-KREDA_BATCH_LOOP void set_light_density(int lanes, const LightTable& light_table, const EnvironmentChannels& e,
+KREDA_BATCH_LOOP void set_light_density(int lanes, const LightTable& light_table, const raster::Channel3& on_map,
                                         SampleDensities& p) {
     const int size = light_table.size;
     for (int i = 0; i < lanes; ++i) {
-        const DensityTap tap = density_tap(size, e.map_direction.at(i));
+        const DensityTap tap = density_tap(size, on_map.at(i));
         p.texel[i] = tap.texel;
         p.light.set(i, tap.factor);
     }
@@ -95,8 +95,8 @@ KREDA_BATCH_LOOP void set_facet_density(int lanes, const MicrofacetChannels& m, 
 
 /// L along c.l into e.prefiltered, and how likely that direction is to be chosen.
 void look_along(int count, const EnvironmentSetup& setup, LightingChannels& c, SampleDensities& p) {
-    look_at_environment(count, setup, c.l.each, c.environment);
-    set_light_density(lanes_for(count), setup.maps->light, c.environment, p);
+    const raster::Channel3& on_map = look_at_environment(count, setup, c.l.each, c.environment);
+    set_light_density(lanes_for(count), setup.maps->light, on_map, p);
 }
 
 /// ao D V F L (n.l)

@@ -2,7 +2,7 @@
 """Opens pages of `kreda view` in headless Chromium: the film's bits are the program's, keys and controls change the picture,
 R and "Undo all" bring it back to the bit, fingers turn and come nearer, a pixel is explained, a broken file is one line, crashes are
 survived. A change reads no file again, a dropped .hdr takes the place of a named sky, a .glb is read, and a .gltf with its files as they are, in a folder or a .zip, a hidden page draws nothing and forgets nothing,
-a window of another size is still met by clicks, a lesson's page loads its figure when it is seen, and the figure is its picture until the module has drawn.
+a window of another size is still met by clicks, the module is unpacked once, a lesson's page loads its figure when it is seen, and the figure is its picture until the module has drawn.
 Usage: check_browser.py CHROMIUM KREDA HASH_SCENE_FILES FOLDER   (in the folder of the sources)"""
 import base64
 import json
@@ -309,13 +309,29 @@ def check_lesson(browser, folder, page):
     print("a lesson's figure is loaded when it is seen")
 
 
+def check_kept(browser, page, film):
+    """The first page that a browser opens unpacks the module, in a worker; another finds it unpacked."""
+    browser.ask("Page.enable", browser.session)
+    count = "workers = 0; Worker = class extends Worker { constructor(...given) { super(...given); workers += 1; } };"
+    script = browser.ask("Page.addScriptToEvaluateOnNewDocument", browser.session, source=count)["identifier"]
+    for name, workers in [("a.html", 1), ("b.html", 1), ("c.html", 2)]:
+        another = shutil.copy(page, page.parent / name)
+        if name == "c.html":
+            browser.value("new Promise((done) => { indexedDB.deleteDatabase('kreda').onsuccess = done; })")
+        browser.open(another.as_uri())
+        assert browser.wait(f"document.documentElement.dataset.film === '{film}'", 60), f"{name} drew nothing; it says: {message(browser)}"
+        assert browser.value("workers") == workers, f"{name} made {browser.value('workers')} workers, not {workers}"
+    browser.ask("Page.removeScriptToEvaluateOnNewDocument", browser.session, identifier=script)
+    print("the module is unpacked once, and kept for the next page")
+
+
 def check_site(browser, folder, page, film):
     """A live figure of the site: the picture that the program drew stands there until the module has drawn, and stays where it cannot."""
     live_page = folder / "live" / "25.html"
     live_page.parent.mkdir(exist_ok=True)
     shutil.copy(page, live_page)
     run(KREDA, "render", SCENES[0], "-o", str(live_page.with_suffix(".png")), "--quiet")
-    live.share_module(live_page)
+    live.share_module(Path(), live_page)
     live.put_poster(live_page)
     module = live_page.parent / "module.js"
     module.rename(folder / "module.js")
@@ -372,6 +388,7 @@ def main():
         check_gltf(browser, folder)
         check_many_files(browser, folder)
         check_hidden(browser)
+        check_kept(browser, folder / "25_exponents.html", films[-1])
         check_site(browser, folder, folder / "25_exponents.html", films[-1])
         check_lesson(browser, folder, folder / "25_exponents.html")
     finally:

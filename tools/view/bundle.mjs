@@ -1,5 +1,6 @@
 // node bundle.mjs MODULE.js MODULE.wasm PACKER.wasm UNPACKER.wasm PAGE.html: the page with everything in it but a scene. The modules of the page
-// become one: lines that import are left out, and so is the word export; their names are unlike.
+// become one: lines that import are left out, and so is the word export; their names are unlike. Beside it, for pages that share a module:
+// view_module.txt, the module in the form that starts at once.
 import { readFileSync, writeFileSync } from 'node:fs';
 import { dirname, join } from 'node:path';
 import { fileURLToPath } from 'node:url';
@@ -8,17 +9,23 @@ import { gzipSync } from 'node:zlib';
 /** A number in LEB128. */
 const numberBytes = (n) => (n < 128 ? [n] : [n & 127 | 128, ...numberBytes(n >>> 7)]);
 
-/** "COUNT SCRIPT UNPACKER PACKED": the bytes of module and script, those of the script, what unpacks both (gzip, base 64), and both (base 64). */
-async function packed(wasmPath, gluePath, packerPath, unpackerPath) {
+const gzipped = (bytes) => gzipSync(bytes, { level: 9 }).toString('base64');
+
+/** The module with the script as its last section, and how long the script is. */
+function moduleAndScript(wasmPath, gluePath) {
   const script = readFileSync(gluePath);
   const section = Buffer.from([0, ...numberBytes(script.length + 1), 0]); // of the module, for others' use, without a name
-  const plain = Buffer.concat([readFileSync(wasmPath), section, script]);
+  return { plain: Buffer.concat([readFileSync(wasmPath), section, script]), script: script.length };
+}
+
+/** "COUNT SCRIPT UNPACKER PACKED": the bytes of module and script, those of the script, what unpacks both (gzip, base 64), and both (base 64). */
+async function packed({ plain, script }, packerPath, unpackerPath) {
   const { memory, _initialize, plain_bytes, most_bytes, packed_bytes, pack } = (await WebAssembly.instantiate(readFileSync(packerPath))).instance.exports;
-  if (plain.length > most_bytes()) throw new Error(`${wasmPath} has more bytes than tools/view/pack/prediction.hpp takes`);
+  if (plain.length > most_bytes()) throw new Error(`the module has more bytes than tools/view/pack/prediction.hpp takes`);
   _initialize();
   new Uint8Array(memory.buffer).set(plain, plain_bytes());
   const bytes = Buffer.from(memory.buffer, packed_bytes(), pack(plain.length));
-  return [plain.length, script.length, gzipSync(readFileSync(unpackerPath), { level: 9 }).toString('base64'), bytes.toString('base64')].join(' ');
+  return [plain.length, script, gzipped(readFileSync(unpackerPath)), bytes.toString('base64')].join(' ');
 }
 
 /** Without comments that fill their lines, and without what lines begin with. */
@@ -38,9 +45,11 @@ function scoped(name) {
 }
 
 const [, , gluePath, wasmPath, packerPath, unpackerPath, pagePath] = process.argv;
+const module = moduleAndScript(wasmPath, gluePath);
+writeFileSync(join(dirname(pagePath), 'view_module.txt'), [module.plain.length, module.script, 'gzip', gzipped(module.plain)].join(' '));
 const parts = {
   '/*STYLE*/': read('style.css'),
-  '/*WASM*/': await packed(wasmPath, gluePath, packerPath, unpackerPath),
+  '/*WASM*/': await packed(module, packerPath, unpackerPath),
   '/*WORKER*/': slim(read('worker.js')),
   '/*MAIN*/': slim(modules.map(scoped).join('\n')),
 };

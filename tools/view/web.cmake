@@ -106,7 +106,7 @@ target_compile_definitions(packer PRIVATE KREDA_PACK=1)
 set(view_page ${CMAKE_BINARY_DIR}/share/kreda/view.html)
 file(MAKE_DIRECTORY ${CMAKE_BINARY_DIR}/share/kreda)
 file(GLOB page_parts CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/tools/view/page/*)
-add_custom_command(OUTPUT ${view_page} DEPENDS kreda_web packer unpacker ${page_parts} ${PROJECT_SOURCE_DIR}/tools/view/bundle.mjs
+add_custom_command(OUTPUT ${view_page} BYPRODUCTS ${CMAKE_BINARY_DIR}/share/kreda/view_module.txt DEPENDS kreda_web packer unpacker ${page_parts} ${PROJECT_SOURCE_DIR}/tools/view/bundle.mjs
   COMMAND ${NODE_JS_EXECUTABLE} ${PROJECT_SOURCE_DIR}/tools/view/bundle.mjs
           $<TARGET_FILE:kreda_web> $<TARGET_FILE_DIR:kreda_web>/kreda_web.wasm $<TARGET_FILE:packer> $<TARGET_FILE:unpacker> ${view_page}
   COMMENT "Writing share/kreda/view.html" VERBATIM)

@@ -31,6 +31,12 @@ struct Interval {
     }
 };
 
+/// Where unpacking stands between two calls.
+struct Unpacking {
+    Interval interval;
+    std::uint32_t read = 0, number = 0, written = 0;
+} unpacking;
+
 }  // namespace
 
 extern "C" {
@@ -67,12 +73,12 @@ __attribute__((export_name("pack"))) std::uint32_t pack(std::uint32_t count) {
 }
 #endif
 
+/// The next bytes, up to the first `count` of all: a page calls it again and again, and says how far it is.
 __attribute__((export_name("unpack"))) void unpack(std::uint32_t count) {
-    prediction.start();
-    Interval interval;
-    std::uint32_t read = 0, number = 0;
+    auto [interval, read, number, written] = unpacking;
+    if (read == 0) prediction.start();
     for (; read < 4; ++read) number = number << 8 | packed[read];
-    for (std::uint32_t i = 0; i < count; ++i) {
+    for (; written < count; ++written) {
         prediction.begin_byte();
         std::uint32_t byte = 0;
         for (int k = 0; k < 8; ++k) {
@@ -83,8 +89,9 @@ __attribute__((export_name("unpack"))) void unpack(std::uint32_t count) {
             prediction.learn(bit);
             for (; interval.has_byte(); interval.shift()) number = number << 8 | packed[read++];
         }
-        plain[i] = static_cast<std::uint8_t>(byte);
+        plain[written] = static_cast<std::uint8_t>(byte);
         prediction.end_byte();
     }
+    unpacking = {interval, read, number, written};
 }
 }

@@ -11,11 +11,13 @@ function moduleWithThreads() {
 }
 
 export class Engine {
-  /** `source`: of the worker, a string; `packed`: the module for one thread. `told`: hears one line when something went wrong. */
-  constructor(source, packed, told) {
+  /** `source`: of the worker, a string; `packed`: the module for one thread. `told`: hears one line when something went wrong;
+   * `unpacked`: how much of the module is unpacked, 0 to 1, where that takes a while. */
+  constructor(source, packed, told, unpacked) {
     this.source = source;
     this.packed = packed;
     this.told = told;
+    this.unpacked = unpacked;
     this.several = moduleWithThreads();
     this.threads = 1;
     this.files = {};
@@ -26,7 +28,7 @@ export class Engine {
   async start() {
     this.waiting = new Map();
     try {
-      if (!this.several) this.module ??= await unpackModule(this.packed);
+      if (!this.several) this.module ??= await unpackModule(this.packed, this.unpacked);
     } catch (error) {
       this.failed = error.message;
       throw error;
