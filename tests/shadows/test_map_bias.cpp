@@ -8,12 +8,12 @@
 
 #include <glm/geometric.hpp>
 
-#include "raster/mesh.hpp"
+#include "drawn_map.hpp"
 #include "shadows/map_point.hpp"
-#include "shadows/shadow_map.hpp"
 
 using namespace kreda;
 using namespace kreda::shadows;
+using namespace kreda::tests;
 
 namespace {
 
@@ -36,17 +36,6 @@ LightView looking_down() {
     seen.greatest = {1.0f, 1.0f, 20.0f};
     seen.empty = false;
     return directional_view({0.0f, -1.0f, 0.0f}, seen, seen, 64, 0);
-}
-
-ShadowMap draw(const raster::Mesh& mesh, const LightView& view, const ShadowSettings& settings) {
-    raster::MeshInstance instance;
-    instance.mesh = &mesh;
-    instance.part_material = {0};
-    std::vector<raster::MeshInstance> casters{instance};
-    ShadowMapBuffers buffers;
-    ShadowMap map;
-    draw_shadow_map(casters, {settings, {view}}, buffers, map);
-    return map;
 }
 
 /// Mean shadow factor subtracted from 1 over random points of the plane through the origin, x and z in +-extent.
@@ -93,7 +82,7 @@ const glm::vec3 kSteep(3.0f, 1.0f, 2.0f);
 TEST_CASE("bias: without any half of a tilted plane shadows itself") {
     for (const glm::vec3& normal : {kAlongOneAxis, kDiagonal, kAnywhere, kSteep}) {
         const raster::Mesh mesh = square(normal);
-        const ShadowMap map = draw(mesh, looking_down(), with_bias(ShadowBias::none, 0.0f));
+        const ShadowMap map = draw_map(mesh, looking_down(), with_bias(ShadowBias::none, 0.0f));
         CHECK(share_in_shadow(map, normal, 0.9f) == doctest::Approx(0.5).epsilon(0.01));  // 2e5 random points
     }
 }
@@ -104,10 +93,10 @@ TEST_CASE("bias: a share k of the least bias leaves the share of a triangle's or
     for (const float k : {0.25f, 0.5f, 0.75f}) {
         CAPTURE(k);
         const raster::Mesh one = square(kAlongOneAxis);
-        const ShadowMap map_one = draw(one, looking_down(), with_bias(ShadowBias::slope, k));
+        const ShadowMap map_one = draw_map(one, looking_down(), with_bias(ShadowBias::slope, k));
         CHECK(share_in_shadow(map_one, kAlongOneAxis, 0.9f) == doctest::Approx(0.5 * (1.0 - k)).epsilon(0.02));
         const raster::Mesh two = square(kDiagonal);
-        const ShadowMap map_two = draw(two, looking_down(), with_bias(ShadowBias::slope, k));
+        const ShadowMap map_two = draw_map(two, looking_down(), with_bias(ShadowBias::slope, k));
         CHECK(share_in_shadow(map_two, kDiagonal, 0.9f) == doctest::Approx(0.5 * (1.0 - k) * (1.0 - k)).epsilon(0.05));
     }
 }
@@ -116,8 +105,8 @@ TEST_CASE("bias: the least bias leaves nothing in shadow and the least normal of
     for (const glm::vec3& normal : {kAlongOneAxis, kDiagonal, kAnywhere, kSteep}) {
         const raster::Mesh mesh = square(normal);
         for (const ShadowBias bias : {ShadowBias::slope, ShadowBias::normal_offset}) {
-            CHECK(share_in_shadow(draw(mesh, looking_down(), with_bias(bias, kSnap)), normal, 0.9f) == 0.0);
-            CHECK(share_in_shadow(draw(mesh, looking_down(), with_bias(bias, 0.9f)), normal, 0.9f) > 0.0);
+            CHECK(share_in_shadow(draw_map(mesh, looking_down(), with_bias(bias, kSnap)), normal, 0.9f) == 0.0);
+            CHECK(share_in_shadow(draw_map(mesh, looking_down(), with_bias(bias, 0.9f)), normal, 0.9f) > 0.0);
         }
     }
 }
@@ -132,11 +121,11 @@ TEST_CASE("bias: a filter of three by three with one depth needs three times as 
         const glm::vec3 n = glm::normalize(normal);
         const float least = 0.5f * texel * (std::abs(n.x) + std::abs(n.z)) / n.y;
         settings.constant_bias = kSnap * least / (view.far - view.near);
-        const double share = share_in_shadow(draw(mesh, view, settings), normal, 0.9f);
+        const double share = share_in_shadow(draw_map(mesh, view, settings), normal, 0.9f);
         CHECK(share > 0.2);  // measured for the design: 22 to 33 %
         CHECK(share < 0.34);
         settings.constant_bias *= 3.0f;
-        CHECK(share_in_shadow(draw(mesh, view, settings), normal, 0.9f) == 0.0);
+        CHECK(share_in_shadow(draw_map(mesh, view, settings), normal, 0.9f) == 0.0);
     }
 }
 
@@ -147,7 +136,7 @@ TEST_CASE("bias: taps that follow the plane need no more than one of them") {
             ShadowSettings settings = with_bias(ShadowBias::slope, kSnap);
             settings.filter = ShadowFilter::pcf;
             settings.radius = radius;
-            CHECK(share_in_shadow(draw(mesh, looking_down(), settings), normal, 0.75f) == 0.0);
+            CHECK(share_in_shadow(draw_map(mesh, looking_down(), settings), normal, 0.75f) == 0.0);
         }
     }
 }
