@@ -294,7 +294,7 @@ async function givenScene() {
 }
 
 await new Promise((resolve) => setTimeout(resolve)); // what the page holds so far is seen before it is busy
-const unpacked = (share) => say(share < 1 ? `Unpacking the renderer, once in this browser: ${Math.round(100 * share)} %` : '');
+const unpacked = (share) => { $('numbers').textContent = `Unpacking the module, once in this browser: ${Math.round(100 * share)} %`; };
 const engine = new Engine(source('worker'), source('wasm'), afterCrash, unpacked);
 globalThis.kreda = { engine, page, hand }; // for whoever looks with the browser's tools
 const step = listen(canvas, hand, { changed: touched, clicked, key });
