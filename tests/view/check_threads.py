@@ -49,7 +49,7 @@ def main():
     for number, scene in enumerate(SCENES):
         page = folder / "live" / f"{number}.html"
         run(KREDA, "view", scene, "-o", str(page), "--quiet")
-        live.share_module(page)
+        live.share_module(Path(), page)
         live.allow_threads(page)
     site = serve.server(folder)
     threading.Thread(target=site.serve_forever, daemon=True).start()
