@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
-"""Changes formulas in headless Chromium: what a lesson begins with misses a test, the right formula passes all, a mistake
+"""Changes formulas in headless Chromium or Firefox: what a lesson begins with misses a test, the right formula passes all, a mistake
 stands at its line, an endless loop is stopped, and the whole assignment gets the points of `kreda grade`.
-Usage: check_edit.py CHROMIUM KREDA FOLDER   (in the folder of the sources; out/compiler must be there)"""
+Usage: check_edit.py CHROMIUM|FIREFOX KREDA FOLDER   (in the folder of the sources; out/compiler must be there)"""
 import json
 import shutil
 import subprocess
@@ -9,11 +9,12 @@ import sys
 from pathlib import Path
 
 from browser import Browser
+from firefox import Firefox
 
 sys.path.insert(0, "docs/site")
 import live_code
 
-CHROMIUM, KREDA, FOLDER = sys.argv[1:4]
+PROGRAM, KREDA, FOLDER = sys.argv[1:4]
 ROOT = Path.cwd()
 # What makes a lesson's text right: equation by equation.
 MENDED = {"10": ("e_ab >= 0 && e_bc >= 0 && e_ca >= 0", " && ".join(
@@ -113,7 +114,7 @@ def main():
     numbers = {number: "Lesson" for number in live_code.starts(ROOT)}
     live_code.write(ROOT, folder, numbers)
     compiler = folder / "compiler"
-    browser = Browser(CHROMIUM, folder / "profile")
+    browser = (Firefox if "firefox" in Path(PROGRAM).name else Browser)(PROGRAM, folder / "profile")
     try:
         compiler.rename(folder / "away")
         check_missing(browser, folder)
