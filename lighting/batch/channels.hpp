@@ -82,7 +82,6 @@ struct EnvironmentChannels {
     raster::Channel3 prefiltered;    ///< P: radiance around r, as blurred as the surface is rough
     raster::Channel lod;             ///< level of the prefiltered map, where it is not the same everywhere
     raster::Channel3 brdf;           ///< A, B and the mean energy of the roughness
-    bool is_added = false;           ///< ambient holds what it adds; nobody looks at F, diffuse and specular
     raster::Channel3 F;              ///< at n.v
     raster::Channel3 diffuse;        ///< of ambient, what comes from the environment by diffuse reflection
     raster::Channel3 specular;       ///< and by specular reflection

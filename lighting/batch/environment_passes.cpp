@@ -57,13 +57,18 @@ KREDA_BATCH_LOOP void fill_ao(int lanes, float ao, MicrofacetChannels& m) {
     for (int i = 0; i < lanes; ++i) m.ao.set(i, ao);
 }
 
-/// add(i, F, diffuse, specular) for every point by `loop`: keep in channels what the environment adds at point i. Where
-/// it goes to ambient as it is and nobody looks at it, ambient alone is written, at once.
+/// May what the split sum adds go to ambient at once? Nobody looks at it, and nothing follows.
+bool goes_to_ambient(const CookTorranceSetup& material, LeaveChannels leave, const LightingChannels& c) {
+    return leave != LeaveChannels::always && material.energy_compensation == EnergyCompensation::none &&
+           c.ambient.is_even;
+}
+
+/// add(i, F, diffuse, specular) for every point by `loop`: what the environment adds at point i goes to channels of its
+/// own, or `to_ambient`, which is even so far.
 template <class Loop>
-inline void with_environment_adder(LightingChannels& c, LeaveChannels leave, bool is_whole, Loop loop) {
+inline void with_environment_adder(LightingChannels& c, bool to_ambient, Loop loop) {
     EnvironmentChannels& e = c.environment;
-    e.is_added = is_whole && leave != LeaveChannels::always && c.ambient.is_even;
-    if (e.is_added) {
+    if (to_ambient) {
         c.ambient.is_even = false;
         return loop(
             [&c, ambient = c.ambient.even](int i, glm::vec3, const glm::vec3& diffuse, const glm::vec3& specular) {
@@ -77,10 +82,10 @@ inline void with_environment_adder(LightingChannels& c, LeaveChannels leave, boo
     });
 }
 
-KREDA_BATCH_LOOP void split_sum(int lanes, LeaveChannels leave, bool is_whole, LightingChannels& c) {
+KREDA_BATCH_LOOP void split_sum(int lanes, bool to_ambient, LightingChannels& c) {
     const MicrofacetChannels& m = c.microfacet;
     const EnvironmentChannels& e = c.environment;
-    with_environment_adder(c, leave, is_whole, [&](auto add) {
+    with_environment_adder(c, to_ambient, [&](auto add) {
         with_surface(m.surface, [&](auto surface) {
             for (int i = 0; i < lanes; ++i) {  // 4 formulas
                 const glm::vec3 F = m.F.at(i);
@@ -161,7 +166,7 @@ void set_prefiltered(int lanes, const EnvironmentSetup& setup, const SurfaceChan
     apply_intensity(lanes, setup.intensity, e.prefiltered);
 }
 
-void set_split_sum(int count, const CookTorranceSetup& material, const EnvironmentSetup& setup, LeaveChannels leave,
+void set_split_sum(int count, const CookTorranceSetup& material, const EnvironmentSetup& setup, bool to_ambient,
                    LightingChannels& c) {
     const int lanes = lanes_for(count);
     const SurfaceChannels& surface = c.microfacet.surface;
@@ -176,9 +181,8 @@ void set_split_sum(int count, const CookTorranceSetup& material, const Environme
     else
         look_up_brdf(*map, lanes, c.microfacet.n_dot_v, surface.roughness, e.scratch, e.brdf);
     evaluate_fresnel(count, material, c.microfacet);
-    const bool bounces = material.energy_compensation == EnergyCompensation::kulla_conty;
-    split_sum(lanes, leave, !bounces, c);
-    if (bounces) add_bounces(lanes, material.f_avg_shift, c);
+    split_sum(lanes, to_ambient, c);
+    if (material.energy_compensation == EnergyCompensation::kulla_conty) add_bounces(lanes, material.f_avg_shift, c);
 }
 
 }  // namespace
@@ -197,15 +201,17 @@ void add_environment(const raster::Fragments& fragments, const MaterialSetup& ma
     const int count = fragments.count;
     const int lanes = lanes_for(count);
     const bool exact = setup.reference_samples > 0;
-    channels.environment.is_added = false;
     switch (material.material.model) {
         case ReflectionModel::unlit: return;
         case ReflectionModel::cook_torrance:
             if (!material.maps.ao.texture) fill_ao(lanes, material.material.cook_torrance.ao, channels.microfacet);
-            if (exact)
+            if (!exact) {
+                const bool to_ambient = goes_to_ambient(material.cook_torrance, leave, channels);
+                set_split_sum(count, material.cook_torrance, setup, to_ambient, channels);
+                if (to_ambient) return;
+            } else {
                 sum_environment(count, material.cook_torrance, setup, channels);
-            else
-                set_split_sum(count, material.cook_torrance, setup, leave, channels);
+            }
             break;
         default:
             if (exact)
@@ -217,7 +223,7 @@ void add_environment(const raster::Fragments& fragments, const MaterialSetup& ma
             else
                 reflect_diffusely(lanes, material.material.phong.diffuse, channels);
     }
-    if (!channels.environment.is_added) add_to_ambient(lanes, channels);
+    add_to_ambient(lanes, channels);
 }
 
 }  // namespace kreda::lighting
