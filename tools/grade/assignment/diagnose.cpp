@@ -224,8 +224,8 @@ void find_in_places(const Fits& fits, Diagnosis& diagnosis) {
 Catalogue make_catalogue(const Rubric& rubric, const CaseSet& cases, bool with_pairs) {
     Catalogue catalogue;
     catalogue.mistakes = read_mistakes(rubric);
-    catalogue.variants = make_variants(read_solution(rubric), catalogue.mistakes, with_pairs);
     const std::string solution = read_solution(rubric);
+    catalogue.variants = make_variants(solution, catalogue.mistakes, with_pairs);
     std::vector<Variant> compiled = catalogue.variants;
     for (Family family : families_of(catalogue.mistakes)) {
         const std::string text = open_solution(solution, family, kFreeNumber);
@@ -234,8 +234,8 @@ Catalogue make_catalogue(const Rubric& rubric, const CaseSet& cases, bool with_p
         compiled.push_back({{}, {}, text});
         catalogue.families.push_back(family);
     }
-    catalogue.answers = answers_of_variants(rubric, cases, compiled, catalogue.variants.size());
-    if (!catalogue.families.empty()) catalogue.program = program_of_variants(rubric, compiled);
+    catalogue.program = program_of_variants(rubric, compiled);
+    catalogue.answers = answers_of_program(catalogue.program, cases, catalogue.variants.size());
     return catalogue;
 }
 

@@ -54,16 +54,11 @@ std::vector<StageTable> VariantAnswers::all_of(std::size_t variant) const {
     return all;
 }
 
-namespace {
-
-/// The name of the program in the cache; it stands for all that the program was made of.
-std::string name_of(const Rubric& rubric, const std::string& source) {
-    return content_name(read_text(given_files(rubric).harness.string()) + source);
-}
-
-fs::path program_of_source(const Rubric& rubric, const std::string& source) {
+fs::path program_of_variants(const Rubric& rubric, const std::vector<Variant>& variants) {
     const fs::path harness = given_files(rubric).harness;
-    const fs::path built = cached_folder("variants-" + name_of(rubric, source), [&](const fs::path& folder) {
+    const std::string source = source_of(rubric, variants);
+    const std::string name = "variants-" + content_name(read_text(harness.string()) + source);
+    const fs::path built = cached_folder(name, [&](const fs::path& folder) {
         write_file((folder / "variants.cpp").string(), source);
         run_trusted({"/usr/bin/g++", "-std=c++20", "-DGLM_FORCE_XYZW_ONLY", "-O1", "-w", "-ffp-contract=off", "-I",
                      harness.parent_path().string(), (folder / "variants.cpp").string(), "-o",
@@ -72,18 +67,10 @@ fs::path program_of_source(const Rubric& rubric, const std::string& source) {
     return built / "program";
 }
 
-}  // namespace
-
-fs::path program_of_variants(const Rubric& rubric, const std::vector<Variant>& variants) {
-    return program_of_source(rubric, source_of(rubric, variants));
-}
-
-VariantAnswers answers_of_variants(const Rubric& rubric, const CaseSet& cases, const std::vector<Variant>& variants,
-                                   std::size_t count) {
-    const std::string source = source_of(rubric, variants);
-    const fs::path program = program_of_source(rubric, source);
+VariantAnswers answers_of_program(const fs::path& program, const CaseSet& cases, std::size_t count) {
     const std::string inputs = encode_tables(cases.inputs), run = std::to_string(count);
-    const std::string name = "answers-" + name_of(rubric, source) + "-" + content_name(inputs + run);
+    const std::string of_program = program.parent_path().filename().string();  // stands for all that it was made of
+    const std::string name = "answers-" + of_program + "-" + content_name(inputs + run);
     const fs::path answered = cached_folder(name, [&](const fs::path& folder) {
         write_file((folder / "inputs.bin").string(), inputs);
         run_trusted({program.string(), (folder / "inputs.bin").string(), folder.string(), run});

@@ -23,7 +23,7 @@ struct VariantAnswers {
     [[nodiscard]] std::vector<StageTable> all_of(std::size_t variant) const;
 };
 
-/// The program that holds all variants. Throws UserError where one does not compile.
+/// The program that holds all variants, kept in grade_cache(). Throws UserError where one does not compile.
 [[nodiscard]] std::filesystem::path program_of_variants(const Rubric& rubric, const std::vector<Variant>& variants);
 
 /// A variant of a program, while its free number is this one.
@@ -37,10 +37,14 @@ struct NumberedRun {
                                                                         const std::vector<StageTable>& expected,
                                                                         const std::vector<NumberedRun>& runs);
 
-/// What each variant answers to each of CaseSet::inputs; all are compiled, the first `count` are run. The program and
-/// its answers are kept in grade_cache(). Throws UserError where a variant does not compile.
-[[nodiscard]] VariantAnswers answers_of_variants(const Rubric& rubric, const CaseSet& cases,
-                                                 const std::vector<Variant>& variants, std::size_t count);
+/// What the first `count` variants of a program answer to each of CaseSet::inputs; kept in grade_cache(), too.
+[[nodiscard]] VariantAnswers answers_of_program(const std::filesystem::path& program, const CaseSet& cases,
+                                                std::size_t count);
+/// All are compiled, the first `count` are run. Throws UserError where a variant does not compile.
+[[nodiscard]] inline VariantAnswers answers_of_variants(const Rubric& rubric, const CaseSet& cases,
+                                                        const std::vector<Variant>& variants, std::size_t count) {
+    return answers_of_program(program_of_variants(rubric, variants), cases, count);
+}
 [[nodiscard]] inline VariantAnswers answers_of_variants(const Rubric& rubric, const CaseSet& cases,
                                                         const std::vector<Variant>& variants) {
     return answers_of_variants(rubric, cases, variants, variants.size());
