@@ -11,6 +11,7 @@
 #include "raster/triangle_setup.hpp"
 #include "shadows/light_ray.hpp"
 #include "shadows/visible_sample_memory.hpp"
+#include "shadows/volume.hpp"
 
 namespace kreda::tests {
 
@@ -82,6 +83,15 @@ struct ShadowScene {
         return depth;
     }
 };
+
+/// Every object of a drawn scene as a caster of shadow volumes.
+inline std::vector<shadows::VolumeCaster> casters_of(const ShadowScene& scene) {
+    std::vector<shadows::VolumeCaster> casters;
+    for (std::size_t i = 0; i < scene.occluders.size(); ++i) {
+        casters.push_back({scene.occluders[i], shadows::clip_positions(scene.instances[i], scene.clip_from_world())});
+    }
+    return casters;
+}
 
 inline shadows::ShadowLight point_light(const glm::vec3& position) {
     shadows::ShadowLight light;

@@ -79,12 +79,8 @@ void at_places(const ShadowMap& map, Visit visit) {
 TEST_CASE("causes: of the faces over a sample the exits behind it less the entries are its counter") {
     for (const ShadowLight& light : {point_light({2, 3, 2}), directional_light({-1, -1.3f, -0.6f})}) {
         const ShadowScene scene = drawn_room(light);
-        std::vector<VolumeCaster> casters;
-        for (std::size_t i = 0; i < scene.occluders.size(); ++i) {
-            casters.push_back({scene.occluders[i], clip_positions(scene.instances[i], scene.clip_from_world())});
-        }
         const VisibleSamples samples = scene.frame.samples();
-        const VolumeFaces faces = make_volume_faces(casters, scene.light, samples);
+        const VolumeFaces faces = make_volume_faces(casters_of(scene), scene.light, samples);
         const std::vector<std::int32_t> counters = count_volumes(faces, samples);
         int in_shadow = 0;
         for (std::size_t i = 0; i < counters.size(); i += 7) {

@@ -17,14 +17,6 @@ using namespace kreda::tests;
 
 namespace {
 
-std::vector<VolumeCaster> casters_of(const ShadowScene& scene) {
-    std::vector<VolumeCaster> casters;
-    for (std::size_t i = 0; i < scene.occluders.size(); ++i) {
-        casters.push_back({scene.occluders[i], clip_positions(scene.instances[i], scene.clip_from_world())});
-    }
-    return casters;
-}
-
 std::vector<std::int32_t> counts_of(const ShadowScene& scene) {
     const VisibleSamples samples = scene.frame.samples();
     return count_volumes(make_volume_faces(casters_of(scene), scene.light, samples), samples);
