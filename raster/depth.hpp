@@ -33,10 +33,20 @@ inline DepthPlane depth_plane(const ScreenVertex& a, const ScreenVertex& b, cons
     return plane;
 }
 
-/// The part of the depth that one row of samples shares: z0 + dz/dy (y - y0), at the centre of row y.
+/// How many samples the centre of row y lies below the anchor. In a row that the triangle reaches it is exact, and so
+/// is one more for each row further down: corners are less than 2^23 apart (kGuardBand), a float holds 24 bits.
+inline float rows_below_anchor(const DepthPlane& plane, std::int32_t y) {
+    return static_cast<float>(y * kSubpixels + kPixelCentre - plane.y0) * (1.0f / kSubpixels);
+}
+
+/// The part of the depth that one row of samples shares: z0 + dz/dy (y - y0).
+inline float depth_below_anchor(const DepthPlane& plane, float rows_below) {
+    return plane.z0 + plane.dz_dy * rows_below;
+}
+
+/// The same at the centre of row y.
 inline float depth_of_row(const DepthPlane& plane, std::int32_t y) {
-    const float d_y = static_cast<float>(y * kSubpixels + kPixelCentre - plane.y0) * (1.0f / kSubpixels);
-    return plane.z0 + plane.dz_dy * d_y;
+    return depth_below_anchor(plane, rows_below_anchor(plane, y));
 }
 
 /// The part that one column shares: dz/dx (x - x0), at the centre of column x.

@@ -27,19 +27,16 @@ struct FarthestDepth {
 /// It is looked for each time that triangles whose boxes cover the tile four times over were drawn.
 inline constexpr int kSamplesBetweenLooks = 4 * kTileSide * kTileSide;
 
-/// The farthest depth of the samples of the tile, which may end within its memory.
-inline float farthest_depth(const TileArea& area, const TileVisibility& tile) {
-    float farthest[kSampleLanes] = {};
-    for (int y = 0; y < area.height; ++y) {
-        for (int x = 0; x < area.width; x += kSampleLanes) {
-            const float* depth = &tile.depth[y * kTileSide + x];
-            for (int i = 0; i < kSampleLanes; ++i) {
-                const float z = x + i < area.width ? depth[i] : 0.0f;
-                farthest[i] = z > farthest[i] ? z : farthest[i];
-            }
+/// The farthest of the depths of a tile, which may end within its memory. All columns are asked side by side.
+inline float farthest_depth(const TileArea& area, const float* depth) {
+    float farthest[kTileSide] = {};
+    for (int y = 0; y < area.height; ++y, depth += kTileSide) {
+        for (int x = 0; x < kTileSide; ++x) {
+            const float z = x < area.width ? depth[x] : 0.0f;
+            farthest[x] = z > farthest[x] ? z : farthest[x];
         }
     }
-    return *std::max_element(farthest, farthest + kSampleLanes);
+    return *std::max_element(farthest, farthest + kTileSide);
 }
 
 }  // namespace kreda::raster

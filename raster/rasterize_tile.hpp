@@ -8,6 +8,11 @@
 
 namespace kreda::raster {
 
+/// Depth alone of the samples of one tile: all that a shadow map asks for, 16 KB.
+struct TileDepth {
+    alignas(64) float depth[kTileSide * kTileSide];  ///< window depth, 0 near .. 1 far
+};
+
 /// Depth and triangle number of the samples of one tile: 32 KB, at home in the first-level cache.
 struct TileVisibility {
     alignas(64) float depth[kTileSide * kTileSide];             ///< window depth, 0 near .. 1 far
@@ -29,6 +34,8 @@ struct TileArea {
 
 /// Clear the tile and draw all triangles of the set that touch it, in order.
 void rasterize_tile(const VertexStreams& streams, const TriangleSet& set, const TileArea& area, TileVisibility& tile);
+/// The same depths without the triangles that they belong to.
+void rasterize_tile(const VertexStreams& streams, const TriangleSet& set, const TileArea& area, TileDepth& tile);
 
 /// The whole image tile by tile (for tests and for stages that look at the whole buffer).
 [[nodiscard]] VisibilityBuffer rasterize_tiled(const VertexStreams& streams, const TriangleSet& set,

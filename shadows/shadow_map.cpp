@@ -66,7 +66,7 @@ float draw_face(const ShadowMapBuffers& buffers, const LightView& view, int size
     float nearest = kNoCaster;
 #pragma omp parallel for schedule(dynamic) reduction(min : nearest)
     for (int t = 0; t < tile_count; ++t) {
-        raster::TileVisibility tile;
+        raster::TileDepth tile;
         const raster::TileArea area = tile_area(buffers.triangles.grid, viewport, t);
         rasterize_tile(buffers.streams, buffers.triangles, area, tile);
         for (int y = 0; y < area.height; ++y) {
