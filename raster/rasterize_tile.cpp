@@ -101,8 +101,8 @@ inline SampleLanes samples_from(const TileTriangle& t, int x, int y, int x_of_ti
     return samples;
 }
 
-/// Edge tests and depth test for some rows of sixteen columns, from the top down: from row to row each edge takes one
-/// addition.
+/// Edge tests and depth test for some rows of sixteen columns, at least one, from the top down: from row to row each
+/// edge takes one addition.
 template <class Tile>
 inline void draw_columns(const TileTriangle& t, int x, RowRange rows, std::uint32_t id, TileArea area, Tile& tile) {
     SampleLanes samples = samples_from(t, x, rows.first, area.x);
@@ -135,7 +135,8 @@ template <class Tile>
 inline void draw_reached_rows(const SetupLanes& setup, int i, TileArea area, Tile& tile) {
     const TileTriangle t = setup.at(i);
     for (int x = t.box.x_first & -kSampleLanes; x < t.box.x_end; x += kSampleLanes) {
-        draw_columns(t, x, rows_of_columns(t, x, kSampleLanes), setup.id[i], area, tile);
+        const RowRange rows = rows_of_columns(t, x, kSampleLanes);
+        if (rows.first <= rows.last) draw_columns(t, x, rows, setup.id[i], area, tile);
     }
 }
 KREDA_BATCH_LOOP void draw_tall(const SetupLanes& setup, int i, TileArea area, TileDepth& tile) {

@@ -22,6 +22,7 @@ namespace kreda::tests {
 using namespace kreda::raster;
 
 /// The same numbers on every machine: the standard fixes the engine's bits, not what its distributions make of them.
+/// (Several in one call are asked for in braces, from left to right; within parentheses each compiler has its order.)
 class Random {
 public:
     explicit Random(std::uint32_t seed) : bits_(seed) {}
@@ -141,7 +142,7 @@ inline void add_grid_triangles(Mesh& mesh, int columns, int rows) {
 inline Camera random_camera(Random& random) {
     Camera camera;
     camera.position = random.in_box(4.0f);
-    camera.target = camera.position + glm::vec3(random.real(-1, 1), random.real(-0.9f, 0.9f), 1.1f);
+    camera.target = camera.position + glm::vec3{random.real(-1, 1), random.real(-0.9f, 0.9f), 1.1f};
     camera.vertical_fov_deg = random.real(10.0f, 140.0f);
     camera.near = random.real(0.01f, 0.5f);
     camera.far = random.real(3.0f, 1000.0f);
@@ -213,8 +214,8 @@ inline void add_slivers(Random& random, Drawing& drawing) {
         const glm::vec3 a = random_pixel_point(random, drawing.viewport);
         const glm::vec3 b = random_pixel_point(random, drawing.viewport);
         const float t = random.real(0.0f, 1.0f);
-        const glm::vec3 off(static_cast<float>(random.integer(-3, 3)) / 256.0f,
-                            static_cast<float>(random.integer(-3, 3)) / 256.0f, random.real(-0.3f, 0.3f));
+        const glm::vec3 off{static_cast<float>(random.integer(-3, 3)) / 256.0f,
+                            static_cast<float>(random.integer(-3, 3)) / 256.0f, random.real(-0.3f, 0.3f)};
         add_triangle(drawing.mesh, a, b, a + t * (b - a) + off);
     }
 }

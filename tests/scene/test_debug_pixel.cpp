@@ -99,9 +99,10 @@ TEST_CASE("debug pixel: cutting a sample out of its run leaves every sample and 
 }
 
 TEST_CASE("debug pixel: a picture is the same to the last bit whichever pixel a debugger wants to see") {
-    for (const auto& [frequency, samples] :
-         {std::pair(ShadingFrequency::phong, 3), std::pair(ShadingFrequency::phong, 1),
-          std::pair(ShadingFrequency::gouraud, 2), std::pair(ShadingFrequency::flat, 1)}) {
+    for (const auto& shading : {std::pair(ShadingFrequency::phong, 3), std::pair(ShadingFrequency::phong, 1),
+                                std::pair(ShadingFrequency::gouraud, 2), std::pair(ShadingFrequency::flat, 1)}) {
+        const ShadingFrequency frequency = shading.first;
+        const int samples = shading.second;
         CAPTURE(static_cast<int>(frequency));
         CAPTURE(samples);
         const Scene scene = two_objects(frequency, samples);

@@ -113,7 +113,8 @@ TEST_CASE("reference: a white Lambert ball under a small sun is within one perce
 }
 
 TEST_CASE("reference: a glossy metal under a small sun is quadrature from smooth to rough") {
-    for (const auto& [roughness, bound] : {std::pair{"0.3", 0.03}, {"0.6", 0.02}, {"1", 0.02}}) {
+    for (const auto& [text, bound] : {std::pair{"0.3", 0.03}, {"0.6", 0.02}, {"1", 0.02}}) {
+        const std::string roughness = text;
         const double alpha = std::pow(std::stod(roughness), 2);
         const Scene scene = ball_under_sun(metal(roughness), 2048);
         const Picture picture = draw_reference(scene);

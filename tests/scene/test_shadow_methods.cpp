@@ -150,9 +150,10 @@ TEST_CASE("shadow methods: the plan names the method and what it keeps") {
                                        {"planar", "planar shadow of light 0"},
                                        {"volume", "shadow volumes of light 0"},
                                        {"irregular", "irregular z-buffer of light 0"}}) {
+        const std::string method_name = method, pass_name = pass;
         const RenderPlan plan = make_plan(read_scene_text(room(method), "test", ""));
-        const auto is_it = [&](const PlannedPass& planned) { return planned.name == pass; };
-        CAPTURE(method);
+        const auto is_it = [&](const PlannedPass& planned) { return planned.name == pass_name; };
+        CAPTURE(method_name);
         CHECK(std::any_of(plan.passes.begin(), plan.passes.end(), is_it));
     }
 }
