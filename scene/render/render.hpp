@@ -53,6 +53,7 @@ struct RenderBuffers {
     raster::ByteImage bytes;           ///< in place of the film where the plan says so
     std::vector<raster::Image> views;  ///< one for each of the plan's views, as large as the film
     std::vector<int> tiles;            ///< the tiles to draw, in this order; empty: all, row by row
+    std::vector<double> tile_ms;       ///< where it has room for all tiles: milliseconds that each took
 };
 
 /// Milliseconds of each pass, by the names and in the order of the plan. What threads do side by side, tile by tile and

@@ -5,6 +5,7 @@
 
 #include "scene/error.hpp"
 #include "tools/bench/bench.hpp"
+#include "tools/bench/more_threads.hpp"
 #include "tools/bench/peak.hpp"
 #include "tools/bench/process_bench.hpp"
 #include "tools/commands.hpp"
@@ -29,6 +30,11 @@ void add_bench_command(CLI::App& app) {
     command->add_flag("--peak", *peak,
                       "How much of the processor's arithmetic and cache bandwidth the shading loops reach");
     const auto scenes = std::make_shared<std::vector<std::string>>();
+    const auto shared = std::make_shared<std::vector<std::string>>();
+    command
+        ->add_option("--more-threads", *shared,
+                     "Scenes: a frame with one thread and with all cores, and simulated with up to 64")
+        ->type_name("SCENE.toml...");
     const auto folder = std::make_shared<std::string>();
     command->add_option("--process", *scenes, "Scenes, each drawn by processes of its own: from command to PNG")
         ->type_name("SCENE.toml...");
@@ -47,16 +53,18 @@ void add_bench_command(CLI::App& app) {
     command->add_option("--threads", options->threads, "Threads of each program")
         ->check(CLI::Range(1, 256))
         ->type_name("N");
-    command->callback([options, growth, peak, scenes, folder, layers] {
-        if (options->workloads.empty() && !*growth && !*peak && scenes->empty() && folder->empty() && layers->empty()) {
+    command->callback([options, growth, peak, scenes, shared, folder, layers] {
+        if (options->workloads.empty() && !*growth && !*peak && scenes->empty() && shared->empty() && folder->empty() &&
+            layers->empty()) {
             throw scene::UserError(
-                "kreda bench: say what to time: --workloads DIR, --process SCENE, --growth or --peak (see kreda bench "
-                "--help)");
+                "kreda bench: say what to time: --workloads DIR, --process SCENE, --more-threads SCENE, --growth or "
+                "--peak (see kreda bench --help)");
         }
         if (!folder->empty()) write_million_triangles(*folder);
         if (!layers->empty()) write_layers(*layers);
         if (!scenes->empty()) time_processes({*scenes, options->rounds, options->threads});
         if (!options->workloads.empty()) compare_with_mesa(*options);
+        if (!shared->empty()) measure_threads(*shared, options->frames);
         if (*growth) measure_growth(options->frames, options->threads);
         if (*peak) measure_peak();
     });
