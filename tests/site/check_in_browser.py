@@ -85,7 +85,7 @@ def main():
     pages = [site / name for name in options.pages] or sorted(site.glob("*.html"))
     axe = options.axe.read_text(encoding="utf-8") if options.axe else ""
     count = 0
-    with tempfile.TemporaryDirectory() as profile:
+    with tempfile.TemporaryDirectory(ignore_cleanup_errors=True) as profile:  # the browser may still write there
         browser = Listener(options.chromium, profile)
         for page in pages:
             for fault in faults_of(browser, page, axe):
