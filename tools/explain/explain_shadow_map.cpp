@@ -10,7 +10,6 @@ namespace kreda::tools {
 namespace {
 
 using shadows::BiasTerms;
-using shadows::DepthSlope;
 using shadows::FilterTap;
 using shadows::LightView;
 using shadows::MapPoints;

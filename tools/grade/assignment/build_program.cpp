@@ -36,7 +36,7 @@ void copy_in(const fs::path& from, const fs::path& to) {
 
 /// A folder inside the box's that the boxed program can read (and, as a work folder, write).
 fs::path subfolder(const BoxFolder& box, const std::string& name) {
-    const fs::path folder = box.path() / name;
+    fs::path folder = box.path() / name;
     fs::create_directories(folder);
     fs::permissions(folder, fs::perms::owner_all | fs::perms::group_read | fs::perms::group_exec |
                                 fs::perms::others_read | fs::perms::others_exec);

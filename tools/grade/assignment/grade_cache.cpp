@@ -89,7 +89,7 @@ fs::path grade_cache() {
     if (!home.empty() && make_writable(fs::path(home) / ".cache" / "kreda" / "grade")) {
         return fs::path(home) / ".cache" / "kreda" / "grade";
     }
-    const fs::path elsewhere = fs::temp_directory_path() / ("kreda-grade-" + std::to_string(getuid()));
+    fs::path elsewhere = fs::temp_directory_path() / ("kreda-grade-" + std::to_string(getuid()));
     fs::create_directories(elsewhere);
     fs::permissions(elsewhere, fs::perms::owner_all);
     return elsewhere;

@@ -41,7 +41,7 @@ std::string body_of(const std::string& text, std::set<std::string>& heads, bool 
     std::string body, line;
     while (std::getline(lines, line)) {
         if (line.rfind("#include <", 0) == 0) heads.insert(line);
-        if (line.rfind("#", 0) == 0 || (!with_prototypes && is_prototype(line))) line.clear();
+        if (line.starts_with('#') || (!with_prototypes && is_prototype(line))) line.clear();
         body += line + "\n";
     }
     return body;
@@ -66,7 +66,7 @@ private:
 std::string Versions::add_helpers(const SolutionParts& parts) {
     const bool is_whole = parts.functions.empty();
     const auto [found, is_new] = helpers.emplace(parts.helpers, helpers.size());
-    const std::string name = "helpers_" + std::to_string(found->second);
+    std::string name = "helpers_" + std::to_string(found->second);
     if (!is_new) return name;
     text += "namespace " + name + " {\n";
     for (const Prototype& p : prototypes) {
