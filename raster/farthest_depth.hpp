@@ -8,9 +8,6 @@
 
 namespace kreda::raster {
 
-/// Samples that are tested side by side. A constant, so that the compiler fills whole vector registers.
-inline constexpr int kSampleLanes = 16;
-
 /// A hierarchy of two levels: the depth of each sample, and one that none of the tile's lies behind. A triangle that is
 /// nowhere nearer than that is hidden, and its samples are not asked.                    after Greene, Kass & Miller
 /// 1993

@@ -82,6 +82,9 @@ inline void draw_block(const SetupLanes& setup, int i, const TileArea& area, Til
     }
 }
 
+/// Samples that are tested side by side. A constant, so that the compiler fills whole vector registers.
+constexpr int kSampleLanes = 16;
+
 /// Sixteen samples side by side: a triangle's edges there, and what x says of its depth.
 struct SampleLanes {
     alignas(64) std::int32_t ab[kSampleLanes];
