@@ -177,22 +177,29 @@ int tile_to_debug(const Frame& frame) {
     return -1;
 }
 
+/// Draw a tile and keep how long that took, where somebody asks.
+void time_tile(const Frame& frame, int tile_index, TileScratch& scratch) {
+    std::vector<double>& ms = frame.buffers.tile_ms;
+    const auto place = static_cast<std::size_t>(tile_index);
+    if (place >= ms.size()) return render_tile(frame, tile_index, scratch);
+    Stopwatch watch;
+    render_tile(frame, tile_index, scratch);
+    ms[place] = watch.lap_ms();
+}
+
 }  // namespace
 
 void render_tiles(const Frame& frame) {
     const std::vector<int>& chosen = frame.buffers.tiles;
     const raster::TileGrid& grid = frame.buffers.triangles.grid;
     const int tile_count = chosen.empty() ? grid.columns * grid.rows : static_cast<int>(chosen.size());
-    std::vector<double>& ms = frame.buffers.tile_ms;
     const int first = tile_to_debug(frame);
     if (first >= 0) render_tile(frame, first, *frame.buffers.scratch[0]);
 #pragma omp parallel for schedule(dynamic)
     for (int t = 0; t < tile_count; ++t) {
         const int tile = chosen.empty() ? t : chosen[static_cast<std::size_t>(t)];
         if (tile == first) continue;
-        Stopwatch watch;
-        render_tile(frame, tile, *frame.buffers.scratch[static_cast<std::size_t>(thread_number())]);
-        if (static_cast<std::size_t>(tile) < ms.size()) ms[static_cast<std::size_t>(tile)] = watch.lap_ms();
+        time_tile(frame, tile, *frame.buffers.scratch[static_cast<std::size_t>(thread_number())]);
     }
 }
 

@@ -6,10 +6,10 @@
 #include <functional>
 #include <numeric>
 #include <queue>
-#include <thread>
 
 #include "scene/files/read_scene.hpp"
 #include "scene/render/render.hpp"
+#include "scene/render/threads.hpp"
 #include "tools/bench/bench.hpp"
 
 namespace kreda::tools {
@@ -68,7 +68,7 @@ double simulated_ms(const FrameWork& work, int threads) {
 }
 
 void measure_threads(const std::vector<std::string>& scenes, int frames) {
-    const int cores = static_cast<int>(std::max(1u, std::thread::hardware_concurrency()));
+    const int cores = scene::thread_count();
     std::string head = "| scene | 1 thread |", line = "| --- | --- |";
     if (cores > 1) head += " " + std::to_string(cores) + " threads |", line += " --- |";
     for (const int threads : kSimulatedThreads)
