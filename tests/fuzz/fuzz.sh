@@ -9,9 +9,7 @@ if ! command -v clang++ >/dev/null; then
     exit 0
 fi
 if [[ -z ${KREDA_FUZZ_PROGRAM:-} ]]; then
-    cd "$root"
-    cmake --preset fuzz >/dev/null
-    cmake --build --preset fuzz --target fuzz >"$folder/build.txt" || { tail -n 30 "$folder/build.txt"; exit 1; }
+    "$root/tests/fuzz/sanitized.sh" build fuzz >"$folder/build.txt" || { tail -n 30 "$folder/build.txt"; exit 1; }
 fi
 program=${KREDA_FUZZ_PROGRAM:-$root/build/fuzz/bin/fuzz}
 readers=(scene obj mtl gltf image)

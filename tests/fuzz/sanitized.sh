@@ -1,5 +1,5 @@
 #!/usr/bin/env bash
-# sanitized.sh build: the fuzzer and the tests of every run with clang's address and undefined-behaviour sanitizers (preset `fuzz`).
+# sanitized.sh build TARGET...: build with clang's address and undefined-behaviour sanitizers (preset `fuzz`).
 # sanitized.sh ROOM [DOCTEST OPTION...]: the tests of a room, built so, in their quick form.
 set -euo pipefail
 cd "$(dirname "${BASH_SOURCE[0]}")/../.."
@@ -7,12 +7,10 @@ if ! command -v clang++ >/dev/null; then
     echo "SKIPPED: clang is not installed"
     exit 0
 fi
-case $1 in
-    build)
-        cmake --preset fuzz >/dev/null
-        exec cmake --build --preset fuzz --target fuzz test_raster test_shadows test_stability ;;
-    lighting | scene) cmake --build --preset fuzz --target "test_$1" >/dev/null ;;
-esac
+if [[ $1 == build ]]; then
+    cmake --preset fuzz >/dev/null
+    exec cmake --build --preset fuzz --target "${@:2}"
+fi
 # Extremes of random scenes and formulas are other runs' matter.
 export KREDA_SWEEP_INPUTS=100 KREDA_EXTREME_SCENES=10
 exec "build/fuzz/bin/test_$1" --minimal "${@:2}"
