@@ -415,12 +415,12 @@ TEST_CASE("Ground that runs under the camera and far beyond the guard band: one 
 }
 
 TEST_CASE("Clipped triangle covers no sample twice: its pieces are a fan without overlap") {
-    // The snap may turn a sliver's polygon into a bow tie, whose pieces overlap with opposite sides to the camera:
-    // front minus back is right even then. Measured 23 samples in 3 million triangles of 2^-16 to 2^-4 their length;
-    // here three would be one chance in a hundred.
+    // The snap may turn a sliver's polygon into a bow tie, whose pieces overlap with opposite sides to the camera
+    // (front minus back is right even then): measured 23 samples in 3 million triangles of 2^-16 to 2^-4 their length.
+    // One in these; pieces that face the same way never overlap.
     const OneThread one_thread;
     Random random(16);
-    std::uint64_t clipped = 0, covered = 0, twice = 0, wrong = 0;
+    std::uint64_t clipped = 0, covered = 0, twice = 0, same_side = 0;
     for (int i = 0; i < 60000; ++i) {
         Drawing drawing;
         drawing.viewport = {24, 20};
@@ -439,12 +439,12 @@ TEST_CASE("Clipped triangle covers no sample twice: its pieces are a fan without
             const int front = static_cast<int>(layers.front[s]), back = static_cast<int>(layers.back[s]);
             covered += front + back > 0 ? 1 : 0;
             twice += front + back > 1 ? 1 : 0;
-            wrong += std::abs(front - back) > 1 ? 1 : 0;
+            same_side += front > 1 || back > 1 ? 1 : 0;
         }
     }
     MESSAGE(clipped << " triangles clipped; " << covered << " samples covered");
     CHECK(clipped > 10000);
     CHECK(covered > 100000);
-    CHECK(wrong == 0);
-    CHECK(twice <= 2);
+    CHECK(same_side == 0);
+    CHECK(twice <= 1);
 }
