@@ -64,7 +64,7 @@ raster::Mesh built_in_mesh(const Value& table, const ObjectTable& read, int deta
 SharedMesh ObjectReader::load_file(const std::string& path, Normals normals, const std::optional<float>& crease) {
     const std::shared_ptr<const LoadedMesh> loaded =
         load_mesh(options.files, path, {normals, options.allow_outside, crease});
-    const SharedMesh shared{{loaded, &loaded->mesh}, static_cast<int>(scene.materials.size())};
+    SharedMesh shared{{loaded, &loaded->mesh}, static_cast<int>(scene.materials.size())};
     scene.warnings.insert(scene.warnings.end(), loaded->warnings.begin(), loaded->warnings.end());
     scene.materials.insert(scene.materials.end(), loaded->materials.begin(), loaded->materials.end());
     return shared;

@@ -76,7 +76,7 @@ std::string title_of_scene(const std::string& file) {
     const fs::path path = fs::absolute(file);
     const std::string folder = path.parent_path().filename().string();
     if (!is_example_name(folder)) return path.stem().string();
-    const std::string heading = heading_of(path.parent_path().parent_path().parent_path() / "docs" / (folder + ".md"));
+    std::string heading = heading_of(path.parent_path().parent_path().parent_path() / "docs" / (folder + ".md"));
     if (!heading.empty()) return heading;
     std::string words = folder;
     std::replace(words.begin(), words.end(), '_', ' ');

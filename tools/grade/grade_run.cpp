@@ -87,7 +87,7 @@ GradeResult grade_one(const GradeRun& run) {
     std::error_code unreadable;
     if (!fs::is_directory(run.folder, unreadable))
         throw scene::UserError(scene::Place{run.folder.string()}, "is no folder; a submission is a folder");
-    const GradeResult result = grade_submission(read_rubric(run.rubric), fs::absolute(run.folder), run.options);
+    GradeResult result = grade_submission(read_rubric(run.rubric), fs::absolute(run.folder), run.options);
     write_results(run, result);
     return result;
 }

@@ -78,7 +78,8 @@ __attribute__((export_name("unpack"))) void unpack(std::uint32_t count) {
     auto [interval, read, number, written] = unpacking;
     if (read == 0) prediction.start();
     for (; read < 4; ++read) number = number << 8 | packed[read];
-    for (; written < count; ++written) {
+    // clang-tidy does not see that a binding changes.
+    for (; written < count; ++written) {  // NOLINT(bugprone-infinite-loop)
         prediction.begin_byte();
         std::uint32_t byte = 0;
         for (int k = 0; k < 8; ++k) {
