@@ -56,21 +56,43 @@ KREDA_BATCH_LOOP float least_of(const float* values, int count) {
     return *std::min_element(std::begin(least), std::end(least));
 }
 
-/// Draw one face, tile by tile, into `texels`, whose rows are `stride` apart. Returns the least distance in it if that
-/// is asked for.
-float draw_face(const ShadowMapBuffers& buffers, const LightView& view, int size, int stride, bool find_nearest,
-                float* texels) {
+/// Where a face is drawn.
+struct FaceTexels {
+    float* first;            ///< column 0, row 0
+    int stride;              ///< floats from row to row
+    std::uint8_t* is_empty;  ///< one a tile, see ShadowMap
+
+    [[nodiscard]] float* row_of(const raster::TileArea& area, int y) const {
+        return first + static_cast<std::size_t>(area.y + y) * stride + area.x;
+    }
+};
+
+/// In a tile that no triangle touches nothing casts. If that was so in the last frame, too, its texels say it already.
+void clear_tile(const raster::TileArea& area, const FaceTexels& face) {
+    if (face.is_empty[area.index]) return;
+    for (int y = 0; y < area.height; ++y) std::fill_n(face.row_of(area, y), area.width, kNoCaster);
+    face.is_empty[area.index] = 1;
+}
+
+/// Draw one face, tile by tile. Returns the least distance in it if that is asked for.
+float draw_face(const ShadowMapBuffers& buffers, const LightView& view, int size, bool find_nearest,
+                const FaceTexels& face) {
     const raster::Viewport viewport{size, size};
     const DistanceFromDepth from_depth(view);
     const int tile_count = buffers.triangles.grid.columns * buffers.triangles.grid.rows;
     float nearest = kNoCaster;
 #pragma omp parallel for schedule(dynamic) reduction(min : nearest)
     for (int t = 0; t < tile_count; ++t) {
-        raster::TileDepth tile;
         const raster::TileArea area = tile_area(buffers.triangles.grid, viewport, t);
+        if (!any_triangle_touches(buffers.triangles, area)) {
+            clear_tile(area, face);
+            continue;
+        }
+        face.is_empty[t] = 0;
+        raster::TileDepth tile;
         rasterize_tile(buffers.streams, buffers.triangles, area, tile);
         for (int y = 0; y < area.height; ++y) {
-            float* row = texels + static_cast<std::size_t>(area.y + y) * stride + area.x;
+            float* row = face.row_of(area, y);
             write_row(&tile.depth[y * kTileSide], area.width, from_depth, view.perspective, row);
             if (find_nearest) nearest = std::min(nearest, least_of(row, area.width));
         }
@@ -93,6 +115,17 @@ void fill_ring(const ShadowMap& map, bool repeat_edge, float* face) {
     }
 }
 
+/// Size a map for a plan. If its texels lie where they lay before, what is known of empty tiles still holds.
+void lay_out_map(const ShadowMapPlan& plan, ShadowMap& map) {
+    const int last_size = map.size(), last_ring = map.ring();
+    map.plan = plan;
+    const std::size_t texels = plan.views.size() * static_cast<std::size_t>(map.face_stride());
+    if (map.size() != last_size || map.ring() != last_ring || map.distance.size() != texels) map.is_empty.clear();
+    map.distance.resize(texels);
+    const raster::TileGrid grid = raster::make_tile_grid({map.size(), map.size()}, 1);
+    map.is_empty.resize(plan.views.size() * static_cast<std::size_t>(grid.columns * grid.rows), 0);
+}
+
 }  // namespace
 
 int filter_margin(const ShadowSettings& settings) {
@@ -106,21 +139,22 @@ int filter_margin(const ShadowSettings& settings) {
 
 void draw_shadow_map(std::vector<raster::MeshInstance>& casters, const ShadowMapPlan& plan, ShadowMapBuffers& buffers,
                      ShadowMap& map) {
-    map.plan = plan;
+    lay_out_map(plan, map);
     map.nearest = kNoCaster;
-    map.distance.resize(plan.views.size() * static_cast<std::size_t>(map.face_stride()));
     const raster::Viewport viewport{map.size(), map.size()};
+    const bool is_soft = plan.settings.filter == ShadowFilter::pcss;
     float* face = map.distance.data();
+    std::uint8_t* is_empty = map.is_empty.data();
     for (const LightView& view : plan.views) {
         const glm::mat4 clip = clip_from_world(view);
         lay_out_vertices(casters, {}, buffers.streams);
         transform_vertices(casters, clip, viewport, buffers.streams);
         setup_triangles(casters, clip, viewport, plan.settings.cull, 1, buffers.streams, buffers.triangles);
-        const bool is_soft = plan.settings.filter == ShadowFilter::pcss;
-        const float nearest = draw_face(buffers, view, map.size(), map.stride(), is_soft, face + map.first_texel());
-        map.nearest = std::min(map.nearest, nearest);
+        const FaceTexels texels{face + map.first_texel(), map.stride(), is_empty};
+        map.nearest = std::min(map.nearest, draw_face(buffers, view, map.size(), is_soft, texels));
         fill_ring(map, plan.views.size() > 1, face);
         face += map.face_stride();
+        is_empty += buffers.triangles.grid.columns * buffers.triangles.grid.rows;
     }
 }
 

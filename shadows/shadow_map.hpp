@@ -34,6 +34,7 @@ struct ShadowMap {
     ShadowMapPlan plan;                     ///< how it was drawn
     raster::AlignedVector<float> distance;  ///< along the view's axis, world units; kNoCaster where nothing casts
     float nearest = kNoCaster;              ///< the least of them; pcss only
+    std::vector<std::uint8_t> is_empty;     ///< one a tile, face by face: 1 where all of it says that nothing casts
 
     /// Texels a side, without the ring.
     [[nodiscard]] int size() const {
