@@ -54,8 +54,10 @@ set_target_properties(kreda_scene PROPERTIES SOURCES "${scene_sources}")
 # What is done once for a file or a change takes no time worth its bytes: it is compiled for size. emcc forbids with -Oz to put calls in line, though
 # the body of a small function takes fewer bytes than a call of it.
 set(for_size -Oz -finline-functions)
-set(once "/scene/(files|plan)/|/scene/[a-z_]+\\.cpp$|/lighting/(energy|spectrum|spectrum_data)\\.cpp$"
-  "|/raster/(corner_clusters|film|mesh_checks|normals|polygon|rasterize_reference|reference_pipeline|shapes|specks|tangents|teapot|texture|torus_knot)\\.cpp$")
+set(once "/scene/(files|plan)/|/scene/[a-z_]+\\.cpp$|/lighting/(energy|light|reflect|spectrum|spectrum_data)\\.cpp$"
+  "|/scene/render/(bake_passes|debug_pixel|frame_done|frame_passes|frame_shadows|render|walk_passes)\\.cpp$"
+  "|/lighting/environment/(bake_cost|environment|progress)\\.cpp$|/shadows/light_view\\.cpp$"
+  "|/raster/(camera|corner_clusters|film|mesh_checks|normals|polygon|rasterize_reference|reference_pipeline|shapes|specks|tangents|teapot|texture|torus_knot)\\.cpp$")
 string(CONCAT once ${once})
 set(once_sources ${PROJECT_SOURCE_DIR}/tools/view/web_images.cpp ${PROJECT_SOURCE_DIR}/tools/view/web_libraries.cpp)
 foreach(room IN ITEMS raster lighting shadows scene)
