@@ -72,12 +72,13 @@ struct FirstWeights {
 
 /// The runs themselves, a lane a run.
 struct RunLanes {
-    const ScreenTriangle* triangle[kScreenLanes];             ///< that each shows
-    CornerLanes a, b, c;                                      ///< its corners
-    std::int32_t x[kScreenLanes] = {}, y[kScreenLanes] = {};  ///< first sample, within the tile
-    std::int32_t step[kScreenLanes] = {};                     ///< see Run
-    CornerRowLanes row_a, row_b, row_c;                       ///< weights along the run
-    FirstWeights first;                                       ///< weights at its first samples
+    const ScreenTriangle* triangle[kScreenLanes];  ///< that each shows
+    CornerLanes a, b, c;                           ///< its corners
+    std::int32_t x[kScreenLanes] = {};             ///< first sample, within the tile
+    std::int32_t y[kScreenLanes] = {};             ///< its row
+    std::int32_t step[kScreenLanes] = {};          ///< see Run
+    CornerRowLanes row_a, row_b, row_c;            ///< weights along the run
+    FirstWeights first;                            ///< weights at its first samples
 
     /// What was found out of run r.
     void set(int r, const RunWeights& w) {

@@ -33,7 +33,8 @@ inline CornerRow corner_row(const ScreenVertex& from, const ScreenVertex& to, st
             static_cast<double>(from.y - to.y) * kSubpixels, static_cast<double>(to.x - from.x) * kSubpixels, 0.0f};
 }
 
-/// (p_x, p_y): the centre of the run's first sample, 1/256 sample.
+/// a, b, c: clockwise on the screen, on the guard band's grid, of an area above 0, their 1/w in 1e-9 .. 1e9 of each
+/// other. (p_x, p_y): the centre of the run's first sample, 1/256 sample; the run lies in the triangle.
 inline RunWeights run_weights(const ScreenVertex& a, const ScreenVertex& b, const ScreenVertex& c, std::int32_t p_x,
                               std::int32_t p_y) {
     RunWeights weights{corner_row(b, c, p_x, p_y), corner_row(c, a, p_x, p_y), corner_row(a, b, p_x, p_y)};
@@ -45,7 +46,7 @@ inline RunWeights run_weights(const ScreenVertex& a, const ScreenVertex& b, cons
     return weights;
 }
 
-/// q_i of the three corners at sample i of a run.
+/// q_i = lambda_i / w_i of the three corners at sample i of a run, lambda_i in [0, 1].
 inline glm::vec3 corner_q(const RunWeights& w, int i) {
     const double k = i;
     return {static_cast<float>(w.a.start + w.a.step * k) * w.a.scale,
@@ -53,18 +54,19 @@ inline glm::vec3 corner_q(const RunWeights& w, int i) {
             static_cast<float>(w.c.start + w.c.step * k) * w.c.scale};
 }
 
-/// Weights of the three corners at sample i of a run; they sum to 1.
+/// Weights of the three corners at sample i of a run, q_i / sum q_i in [0, 1]; they sum to 1. Heckbert & Moreton 1991
 inline glm::vec3 corner_weights(const RunWeights& w, int i) {
     const glm::vec3 q = corner_q(w, i);
     const float inv_sum = 1.0f / (q.x + q.y + q.z);
     return {q.x * inv_sum, q.y * inv_sum, q.z * inv_sum};
 }
 
-/// How much q_i changes to the next sample, and to the one below.
+/// How much q_i changes to the next sample of the row.
 inline glm::vec3 q_step_right(const RunWeights& w) {
     return {static_cast<float>(w.a.step) * w.a.scale, static_cast<float>(w.b.step) * w.b.scale,
             static_cast<float>(w.c.step) * w.c.scale};
 }
+/// How much q_i changes to the sample below.
 inline glm::vec3 q_step_down(const RunWeights& w) {
     return {static_cast<float>(w.a.step_down) * w.a.scale, static_cast<float>(w.b.step_down) * w.b.scale,
             static_cast<float>(w.c.step_down) * w.c.scale};

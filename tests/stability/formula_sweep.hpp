@@ -112,6 +112,7 @@ struct SweepResult {
 [[nodiscard]] std::vector<Formula> formulas_of_map_points();
 [[nodiscard]] std::vector<Formula> formulas_of_rays();
 [[nodiscard]] std::vector<Formula> formulas_of_depth();
+[[nodiscard]] std::vector<Formula> formulas_of_runs();
 [[nodiscard]] std::vector<Formula> formulas_of_textures();
 [[nodiscard]] std::vector<Formula> formulas_of_raster();
 [[nodiscard]] std::vector<Formula> formulas_of_normals();

@@ -207,6 +207,10 @@ TEST_CASE("formulas: depth and angles over the whole domain") {
     check_group("Depth and angles", formulas_of_depth());
 }
 
+TEST_CASE("formulas: weights along a run over the whole domain") {
+    check_group("Weights along a run", formulas_of_runs());
+}
+
 TEST_CASE("formulas: textures over the whole domain") {
     check_group("Textures", formulas_of_textures());
 }
