@@ -36,7 +36,7 @@ inline DepthPlane depth_plane(const ScreenVertex& a, const ScreenVertex& b, cons
 /// How many samples the centre of row y lies below the anchor. In a row that the triangle reaches it is exact, and so
 /// is one more for each row further down: corners are less than 2^23 apart (kGuardBand), a float holds 24 bits.
 inline float rows_below_anchor(const DepthPlane& plane, std::int32_t y) {
-    return static_cast<float>(y * kSubpixels + kPixelCentre - plane.y0) * (1.0f / kSubpixels);
+    return static_cast<float>(centre_of(y) - plane.y0) * (1.0f / kSubpixels);
 }
 
 /// The part of the depth that one row of samples shares: z0 + dz/dy (y - y0).
@@ -51,7 +51,7 @@ inline float depth_of_row(const DepthPlane& plane, std::int32_t y) {
 
 /// The part that one column shares: dz/dx (x - x0), at the centre of column x.
 inline float depth_of_column(const DepthPlane& plane, std::int32_t x) {
-    const float d_x = static_cast<float>(x * kSubpixels + kPixelCentre - plane.x0) * (1.0f / kSubpixels);
+    const float d_x = static_cast<float>(centre_of(x) - plane.x0) * (1.0f / kSubpixels);
     return plane.dz_dx * d_x;
 }
 

@@ -86,8 +86,8 @@ inline bool fits_block(const ScreenPoint& a, const ScreenPoint& b, const ScreenP
 inline Fate look_closer(const ScreenPoint& a, const ScreenPoint& b, const ScreenPoint& c, const Judgement& judgement) {
     const bool small = (judgement.fate == Fate::drawn) & fits_block(a, b, c);
     const std::int32_t keep = -static_cast<std::int32_t>(small);  // a mask: with ?: GCC makes it a branch
-    const std::int32_t p_x = (judgement.x.first * kSubpixels + kPixelCentre) & keep;
-    const std::int32_t p_y = (judgement.y.first * kSubpixels + kPixelCentre) & keep;
+    const std::int32_t p_x = centre_of(judgement.x.first) & keep;
+    const std::int32_t p_y = centre_of(judgement.y.first) & keep;
     const auto near = [&](std::int32_t x, std::int32_t y) { return ScreenPoint{(x & keep) - p_x, (y & keep) - p_y}; };
     const bool front = judgement.front;
     const bool covers = covers_block(near(a.x, a.y), near(front ? c.x : b.x, front ? c.y : b.y),

@@ -101,7 +101,7 @@ void cover(Triangle t, std::uint32_t source, CullMode cull, Canvas& canvas) {
 
 /// 4. Interpolate:  q_i = E_i / (E_0 + E_1 + E_2) / w_i,   b_i = q_i / sum q_i           Heckbert & Moreton 1991
 glm::vec3 weights_at(const Triangle& t, int x, int y) {
-    const std::int64_t p_x = x * kSubpixels + kPixelCentre, p_y = y * kSubpixels + kPixelCentre;
+    const std::int64_t p_x = centre_of(x), p_y = centre_of(y);
     const float inv_area2 = static_cast<float>(1.0 / static_cast<double>(area_of(t)));
     glm::vec3 q;
     for (int i = 0; i < 3; ++i) {  // the edge opposite to corner i

@@ -9,11 +9,6 @@
 
 namespace kreda::raster {
 
-/// Centre of a sample, 1/256 sample.
-inline std::int32_t centre_of(int sample) {
-    return sample * kSubpixels + kPixelCentre;
-}
-
 /// One corner's share in the weights along a row: the exact edge function opposite to it, and 1/w.
 struct CornerRow {
     double start = 0.0;      ///< E at the first sample, an exact integer

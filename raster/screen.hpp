@@ -21,6 +21,10 @@ inline constexpr int kSubpixelBits = 8;
 inline constexpr int kSubpixels = 1 << kSubpixelBits;
 /// The centre of a pixel, in those steps.
 inline constexpr int kPixelCentre = kSubpixels / 2;
+/// Centre of the sample with that column or row, in those steps.
+inline constexpr std::int32_t centre_of(int sample) {
+    return sample * kSubpixels + kPixelCentre;
+}
 
 /// Largest image, in samples a side.
 inline constexpr int kMaxImageSide = 16384;
@@ -123,8 +127,8 @@ inline Integer least_inside(Integer d_x, Integer d_y) {
 /// Does the triangle a, b, c (clockwise, y down) cover the centre of sample (x, y)?
 /// A centre exactly on an edge (E = 0) is inside only for top and left edges: the others ask for E > 0.
 inline bool covers_sample(const ScreenVertex& a, const ScreenVertex& b, const ScreenVertex& c, int x, int y) {
-    const std::int64_t p_x = x * kSubpixels + kPixelCentre;
-    const std::int64_t p_y = y * kSubpixels + kPixelCentre;
+    const std::int64_t p_x = centre_of(x);
+    const std::int64_t p_y = centre_of(y);
     const std::int64_t least_ab = least_inside(b.x - a.x, b.y - a.y);
     const std::int64_t least_bc = least_inside(c.x - b.x, c.y - b.y);
     const std::int64_t least_ca = least_inside(a.x - c.x, a.y - c.y);

@@ -17,8 +17,8 @@ namespace kreda::raster {
 /// 2^23, see kGuardBand); a start value beyond +-2^30 can be cut there without changing any sign in the tile.
 inline SampleEdge tile_edge(const ScreenVertex& a, const ScreenVertex& b, const TileArea& area) {
     constexpr double kLimit = 1 << 30;
-    const std::int32_t p_x = area.x * kSubpixels + kPixelCentre;
-    const std::int32_t p_y = area.y * kSubpixels + kPixelCentre;
+    const std::int32_t p_x = centre_of(area.x);
+    const std::int32_t p_y = centre_of(area.y);
     const double least = least_inside(b.x - a.x, b.y - a.y);
     const double e = edge_function<double>(a.x, a.y, b.x, b.y, p_x, p_y) - least;
     const double start = std::floor(e * (1.0 / kSubpixels));

@@ -42,7 +42,7 @@ void append_fan(const raster::ClipPolygon& polygon, const raster::Viewport& view
 
 /// Narrow a span to the samples on the inner side of edge a b: E(x) = E(0) + x step must reach `least`.
 void narrow(const ScreenVertex& a, const ScreenVertex& b, int y, SampleSpan& span) {
-    const std::int64_t p_y = std::int64_t{y} * raster::kSubpixels + raster::kPixelCentre;
+    const std::int64_t p_y = raster::centre_of(y);
     const std::int64_t least = raster::least_inside(b.x - a.x, b.y - a.y);
     const std::int64_t lack = least - raster::edge_function(a.x, a.y, b.x, b.y, raster::kPixelCentre, p_y);
     const std::int64_t step = std::int64_t{a.y - b.y} * raster::kSubpixels;

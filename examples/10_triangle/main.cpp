@@ -21,8 +21,7 @@ constexpr int kColumns = 16, kRows = 9;
 constexpr Triangle kCorner = {vertex(1.25, 7.75), vertex(5.25, 0.75), vertex(14.5, 6.0)};
 
 std::int64_t edge_at_centre(const ScreenVertex& a, const ScreenVertex& b, int x, int y) {
-    return raster::edge_function(a.x, a.y, b.x, b.y, x * raster::kSubpixels + raster::kPixelCentre,
-                                 y * raster::kSubpixels + raster::kPixelCentre);
+    return raster::edge_function(a.x, a.y, b.x, b.y, raster::centre_of(x), raster::centre_of(y));
 }
 
 glm::vec2 on_picture(const ScreenVertex& corner, int cell) {

@@ -46,7 +46,7 @@ glm::dvec2 place(const ScreenVertex& v) {
 }
 
 glm::dvec2 centre_of_sample(int x, int y) {
-    return {x * raster::kSubpixels + raster::kPixelCentre, y * raster::kSubpixels + raster::kPixelCentre};
+    return {raster::centre_of(x), raster::centre_of(y)};
 }
 
 /// Where the line of sight through `ndc` meets a triangle given in clip space; found: inside it and before the eye.
@@ -129,8 +129,8 @@ SourceTriangle find_source(const std::vector<raster::MeshInstance>& instances, s
 
 std::array<std::int64_t, 3> edges_at(const VertexStreams& streams, const ScreenTriangle& triangle, int x, int y) {
     const auto v = corners_of(streams, triangle);
-    const std::int64_t p_x = std::int64_t{x} * raster::kSubpixels + raster::kPixelCentre;
-    const std::int64_t p_y = std::int64_t{y} * raster::kSubpixels + raster::kPixelCentre;
+    const std::int64_t p_x = raster::centre_of(x);
+    const std::int64_t p_y = raster::centre_of(y);
     std::array<std::int64_t, 3> edge;
     for (std::size_t i = 0; i < 3; ++i) {
         const ScreenVertex& a = *v[(i + 1) % 3];
